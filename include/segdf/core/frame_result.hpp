@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "segdf/core/label.hpp"
+#include "segdf/core/scan.hpp"
+
+namespace segdf {
+
+/// What became of a scan. All but kMapped leave every point unjudged, and the scan out of the map.
+enum class FrameStatus : std::uint8_t {
+  kMapped,         ///< a key frame: every point within range is judged
+  kNotKeyFrame,    ///< between two key frames (input.keyframe_distance)
+  kEmpty,          ///< no usable point
+  kInvalidPose,    ///< not finite, or no rotation
+  kTimeBackwards,  ///< stamp not after the last accepted scan's
+};
+
+std::string toString(FrameStatus status);
+
+/// Instance as seen in one frame: what rviz shows and instances.csv adds up.
+struct InstanceObservation {
+  std::uint32_t id = 0;      ///< global instance id, 1 and up
+  std::uint32_t parent = 0;  ///< instance from which it was split, 0 = none
+  ObjectClass object_class = ObjectClass::kUnknown;
+  bool dynamic = false;
+  bool fused = false;               ///< made of several clusters (Algorithm 2, line 18)
+  std::uint32_t points = 0;
+  std::uint32_t static_votes = 0;   ///< HS votes (Algorithm 2, lines 12 and 17)
+  std::uint32_t dynamic_votes = 0;  ///< HD votes (lines 10 and 14)
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< box centre in the map frame, metres
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< length >= width, height; metres
+  double yaw = 0.0;                                  ///< of the length axis in the map frame, rad
+};
+
+/// Seconds spent in each stage on one frame. For reports only; nothing is decided by it.
+struct StageTimes {
+  double ground = 0.0;
+  double normals = 0.0;
+  double clustering = 0.0;
+  double classification = 0.0;
+  double dynamics = 0.0;
+};
+
+/// What the pipeline says of one scan.
+struct FrameResult {
+  std::size_t index = 0;  ///< running number of the scan, from 0, as given to Pipeline::process
+  FrameStatus status = FrameStatus::kMapped;
+  Scan scan;                               ///< as given
+  std::vector<PointLabel> labels;          ///< one for each point of `scan`
+  std::vector<InstanceObservation> instances;  ///< ordered by id
+  /// Median point-to-plane distance to the previous key frame, metres; NaN when not measurable.
+  double pose_misfit = 0.0;
+  std::size_t non_finite_points = 0;  ///< NaN or infinite coordinates, left unjudged
+  StageTimes times;
+};
+
+}  // namespace segdf

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "segdf/core/frame_result.hpp"
+#include "segdf/mapping/map_point.hpp"
+
+namespace segdf {
+
+/// The static instance map S^ of (4) on a voxel grid: all kept points of the frames added so far, one point
+/// per occupied voxel. Memory grows with the space seen, not with the time spent in it.
+class StaticMap {
+ public:
+  /// @param voxel edge of the grid, metres, > 0. @throws std::invalid_argument otherwise
+  explicit StaticMap(double voxel);
+
+  /// Adds the ground, static and noise points of a mapped frame. A voxel keeps its first point.
+  void add(const FrameResult& frame);
+
+  /// In the order in which the voxels were first seen.
+  const std::vector<MapPoint>& points() const { return points_; }
+
+  void clear();
+
+ private:
+  struct KeyHash {
+    std::size_t operator()(const Eigen::Vector3i& key) const;
+  };
+
+  double voxel_;
+  std::unordered_map<Eigen::Vector3i, std::size_t, KeyHash> index_;
+  std::vector<MapPoint> points_;
+};
+
+}  // namespace segdf

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/core/semantic_kitti.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace segdf::semantic_kitti {
+
+namespace {
+
+constexpr std::uint32_t kMaxInstance = 0xFFFF;
+
+std::uint16_t semanticClass(const PointLabel& label) {
+  switch (label.state) {
+    case PointState::kUnjudged:
+      return kUnlabelled;
+    case PointState::kGround:
+      return kRoad;
+    case PointState::kDynamic:
+      return kDynamic;
+    case PointState::kNoise:
+      return kStatic;
+    case PointState::kStatic:
+      break;
+  }
+  switch (label.object_class) {
+    case ObjectClass::kVegetation:
+      return kVegetation;
+    case ObjectClass::kBuilding:
+      return kBuilding;
+    case ObjectClass::kHighMobility:
+      return kCar;
+    case ObjectClass::kUnknown:
+    case ObjectClass::kNone:
+      break;
+  }
+  return kStatic;
+}
+
+}  // namespace
+
+bool isParkedMovable(std::uint16_t semantic_class) {
+  constexpr std::array<std::uint16_t, 10> kMovable{10, 11, 13, 15, 16, 18, 20, 30, 31, 32};
+  return std::find(kMovable.begin(), kMovable.end(), semantic_class) != kMovable.end();
+}
+
+std::uint32_t encode(const PointLabel& label) {
+  const std::uint32_t instance = label.instance <= kMaxInstance ? label.instance : 0;
+  return (instance << 16U) | semanticClass(label);
+}
+
+}  // namespace segdf::semantic_kitti
