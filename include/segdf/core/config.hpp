@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-/// Parameters of every stage. Each struct lists its parameters once, in `visit`: name, bounds, unit and
-/// meaning. Reading YAML or ROS parameters, checking bounds, and writing the effective configuration all
-/// walk that one list. Defaults are those of an HDL-64E; cfg/sensors/*.yaml overrides them.
+/// Parameters of every stage. Each struct lists its parameters once, in `visit`: name, bounds, unit
+/// and meaning. Reading YAML or ROS parameters, checking bounds, and writing the effective
+/// configuration all walk that one list. Defaults are those of an HDL-64E; cfg/sensors/*.yaml
+/// overrides them.
 ///
 /// A visitor offers
 ///   number(name, double&, min, max, unit, meaning)
@@ -37,8 +38,9 @@ struct InputConfig {
   static void visit(Self& s, Visitor& v) {
     v.number("min_range", s.min_range, 0.0, 20.0, "m", "nearer points are not judged");
     v.number("max_range", s.max_range, 5.0, 500.0, "m", "farther points are not judged");
-    v.numbers("ego_box", s.ego_box, -20.0, 20.0, "m",
-              "x_min x_max y_min y_max in the sensor frame: points on the own vehicle are not judged");
+    v.numbers(
+        "ego_box", s.ego_box, -20.0, 20.0, "m",
+        "x_min x_max y_min y_max in the sensor frame: points on the own vehicle are not judged");
     v.number("keyframe_distance", s.keyframe_distance, 0.0, 100.0, "m",
              "way between key frames; 0 makes every scan a key frame");
     v.number("keyframe_angle", s.keyframe_angle, 0.0, 180.0, "deg",
@@ -134,7 +136,8 @@ struct IntensityConfig {
 
   template <class Self, class Visitor>
   static void visit(Self& s, Visitor& v) {
-    v.choice("profile", s.profile, kProfiles, "how the sensor's intensity depends on range and angle");
+    v.choice("profile", s.profile, kProfiles,
+             "how the sensor's intensity depends on range and angle");
     v.number("r_ref", s.r_ref, 0.1, 100.0, "m", "range at which the calibration changes nothing");
     v.number("r_near", s.r_near, 0.1, 100.0, "m", "nearer points are treated as at this range");
     v.number("r_cap", s.r_cap, 1.0, 300.0, "m", "farther points are treated as at this range");
@@ -147,9 +150,10 @@ enum class IntensityGate { kOff, kEvidence, kLiteral };
 
 /// Curved voxels (7) and Algorithm 1 (method.md 4).
 struct CurvedVoxelConfig {
-  static constexpr std::array<EnumName<IntensityGate>, 3> kGates{{{IntensityGate::kOff, "off"},
-                                                                  {IntensityGate::kEvidence, "evidence"},
-                                                                  {IntensityGate::kLiteral, "literal"}}};
+  static constexpr std::array<EnumName<IntensityGate>, 3> kGates{
+      {{IntensityGate::kOff, "off"},
+       {IntensityGate::kEvidence, "evidence"},
+       {IntensityGate::kLiteral, "literal"}}};
 
   double drho = 0.20;
   double growth = 0.0;
@@ -171,7 +175,8 @@ struct CurvedVoxelConfig {
     v.number("growth", s.growth, 0.0, 0.1, "m", "growth of the range step per cell");
     v.number("dtheta", s.dtheta, 0.05, 30.0, "deg", "polar step");
     v.number("dphi", s.dphi, 0.05, 30.0, "deg", "azimuth step (rounded so that 360 is a multiple)");
-    v.choice("gate", s.gate, kGates, "intensity in stage 1: ignored, cuts on evidence, or as printed");
+    v.choice("gate", s.gate, kGates,
+             "intensity in stage 1: ignored, cuts on evidence, or as printed");
     v.integer("ext", s.ext, 1, 4, "cells", "reach of stage 2");
     v.number("thre_av", s.thre_av, 0.0, 1.0, "", "threAV: greatest difference of mean intensity");
     v.number("thre_cov", s.thre_cov, 0.0, 1.0, "",
@@ -179,7 +184,8 @@ struct CurvedVoxelConfig {
     v.integer("n_noise", s.n_noise, 1, 1000, "points", "a smaller cluster is noise");
     v.number("merge_diagonal", s.merge_diagonal, 0.5, 50.0, "m", "largest merged object: diagonal");
     v.number("merge_height", s.merge_height, 0.5, 20.0, "m", "largest merged object: height");
-    v.number("merge_long_side", s.merge_long_side, 0.5, 50.0, "m", "largest merged object: long side");
+    v.number("merge_long_side", s.merge_long_side, 0.5, 50.0, "m",
+             "largest merged object: long side");
     v.number("merge_short_side", s.merge_short_side, 0.5, 50.0, "m",
              "largest merged object: short side");
   }
@@ -211,7 +217,8 @@ struct ClassConfig {
     v.number("tall", s.tall, 0.0, 10.0, "m", "any object above this height is tall");
     v.number("leafy_smooth", s.leafy_smooth, 0.0, 1.0, "", "foliage: share of smooth points below");
     v.number("leafy_curvature", s.leafy_curvature, 0.0, 1.0, "", "foliage: local curvature above");
-    v.number("wall_vertical", s.wall_vertical, 0.0, 1.0, "", "wall: share of vertical normals above");
+    v.number("wall_vertical", s.wall_vertical, 0.0, 1.0, "",
+             "wall: share of vertical normals above");
     v.number("wall_thickness", s.wall_thickness, 0.0, 5.0, "m", "wall: thinner than this ...");
     v.number("wall_sigma", s.wall_sigma, 0.0, 5.0, "m", "... or with less spread across");
     v.number("pole_side", s.pole_side, 0.0, 5.0, "m", "pole or trunk: tall and no wider");
@@ -232,12 +239,16 @@ struct DynamicConfig {
 
   FilterMode mode = FilterMode::kLiteral;
   double thre_occu = 0.5;
+  double assoc = 0.15;
 
   template <class Self, class Visitor>
   static void visit(Self& s, Visitor& v) {
     v.choice("mode", s.mode, kModes, "literal: Algorithm 2 as printed, on consecutive key frames");
     v.number("thre_occu", s.thre_occu, 0.0, 1.0, "",
              "threOccu: share of an instance's voxels that must be found again");
+    v.number(
+        "assoc", s.assoc, 0.01, 1.0, "",
+        "share of an instance's voxels that must touch a segment of the next key frame for a link");
   }
 };
 
@@ -249,7 +260,8 @@ struct MapConfig {
   template <class Self, class Visitor>
   static void visit(Self& s, Visitor& v) {
     v.number("voxel", s.voxel, 0.0, 5.0, "m", "grid of static_map.pcd; 0 keeps every point");
-    v.number("live_voxel", s.live_voxel, 0.02, 5.0, "m", "grid of the map that the nodelet publishes");
+    v.number("live_voxel", s.live_voxel, 0.02, 5.0, "m",
+             "grid of the map that the nodelet publishes");
   }
 };
 
@@ -277,7 +289,8 @@ struct Config {
   }
 };
 
-/// Checks every bound. @throws std::invalid_argument "parameter ground.th_seed = 9 is out of [0.01, 5] m".
+/// Checks every bound. @throws std::invalid_argument "parameter ground.th_seed = 9 is out of [0.01,
+/// 5] m".
 void validate(const Config& config);
 
 /// Shortest text that reads back as the same number ("0.2", "1.125", "64").

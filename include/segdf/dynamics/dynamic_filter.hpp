@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "segdf/core/config.hpp"
+#include "segdf/dynamics/frame.hpp"
+
+namespace segdf {
+
+/// Df of formula (4): decides which instances move. One implementation per mode, chosen by df.mode;
+/// a mode that needs more evidence asks for a longer window and decides when a frame is about to
+/// leave it.
+class DynamicFilter {
+ public:
+  DynamicFilter() = default;
+  virtual ~DynamicFilter() = default;
+  DynamicFilter(const DynamicFilter&) = delete;
+  DynamicFilter& operator=(const DynamicFilter&) = delete;
+
+  /// Key frames that the window holds between scans, at least 1.
+  virtual std::size_t windowSize() const = 0;
+
+  /// The newest key frame (back of the window) has been segmented and classified: gives its
+  /// segments their instance ids and gathers evidence.
+  virtual void observe(const Window& window) = 0;
+
+  /// The frame at `position` is about to leave, or no further frame will come: makes its verdicts
+  /// final. Does nothing when they are.
+  virtual void decide(const Window& window, std::size_t position) = 0;
+};
+
+/// The filter that config.df.mode names. @param ids outlives the filter
+std::unique_ptr<DynamicFilter> makeDynamicFilter(const Config& config, IdSource& ids, int threads);
+
+}  // namespace segdf

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "segdf/core/frame_result.hpp"
+#include "segdf/core/scan.hpp"
+#include "segdf/segmentation/segmenter.hpp"
+
+namespace segdf {
+
+/// What the dynamic filter knows of one segment: instance and verdict.
+struct Instance {
+  std::uint32_t id = 0;      ///< global instance id; 0 until given
+  std::uint32_t parent = 0;  ///< instance from which it was split, 0 = none
+  bool dynamic = false;
+  bool fused = false;
+  std::uint32_t static_votes = 0;   ///< HS
+  std::uint32_t dynamic_votes = 0;  ///< HD
+};
+
+/// A key frame in the sliding window.
+struct KeyFrame {
+  Scan scan;
+  Segmentation seg;
+  std::vector<Instance> instances;  ///< instance s belongs to seg.segments[s]
+  bool judged = false;              ///< verdicts are final
+  double pose_misfit = 0.0;         ///< metres, see FrameResult
+  StageTimes times;
+};
+
+/// The key frames of the sliding window, oldest first. Never empty when handed to the filter.
+using Window = std::vector<KeyFrame*>;
+
+/// Gives out global instance ids, in the order of asking: 1, 2, 3 ...
+class IdSource {
+ public:
+  std::uint32_t next() { return ++last_; }
+
+ private:
+  std::uint32_t last_ = 0;
+};
+
+}  // namespace segdf

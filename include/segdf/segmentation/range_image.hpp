@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "segdf/core/config.hpp"
+#include "segdf/core/scan.hpp"
+#include "segdf/core/segment.hpp"
+
+namespace segdf {
+
+/// Where each point lies in the sensor's grid: rows are lasers from the topmost (0) down, columns
+/// are azimuth bins, wrapped (method.md 3.6).
+class RangeImage {
+ public:
+  static constexpr std::int32_t kNone = -1;
+
+  /// Rows come from the rings when every used point has one, else from the elevation between the
+  /// configured bounds. Of several points in one cell the nearest is kept, then the first.
+  RangeImage(const std::vector<Point>& points,
+             const std::vector<PointRole>& roles,
+             const RangeImageConfig& config);
+
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  /// Row of a point, kNone for unused points.
+  std::int32_t rowOf(std::size_t point) const { return row_[point]; }
+  /// Column of a point, kNone for unused points.
+  std::int32_t columnOf(std::size_t point) const { return column_[point]; }
+  /// Index of the point seen in a cell, kNone when empty. The column is taken modulo columns().
+  std::int32_t at(int row, int column) const;
+  /// Distance of a point from the sensor, metres.
+  float rangeOf(std::size_t point) const { return range_[point]; }
+
+ private:
+  void assignRows(const std::vector<Point>& points,
+                  const std::vector<PointRole>& roles,
+                  const RangeImageConfig& config);
+
+  int rows_ = 0;
+  int columns_ = 0;
+  std::vector<std::int32_t> row_;
+  std::vector<std::int32_t> column_;
+  std::vector<float> range_;
+  std::vector<std::int32_t> cells_;
+};
+
+/// Normals and change of curvature of the object points, from windows of 5 rows by 9 columns with a
+/// gate in range; PCA over at least 6 neighbours (method.md 3.6).
+std::vector<Surface> estimateSurfaces(const std::vector<Point>& points,
+                                      const std::vector<PointRole>& roles,
+                                      const RangeImage& image,
+                                      const RangeImageConfig& config,
+                                      int threads);
+
+}  // namespace segdf

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/classification/classifier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace segdf {
+
+namespace {
+
+// Physical sizes (method.md 5.4): a person is 0.3-0.9 m wide and up to 2 m high, a cyclist longer;
+// cars are 3.6-5.6 m by 1.6-2.3 m and 1.3-2.6 m high, of which often only one face is seen.
+constexpr double kPersonWidth = 1.2;
+constexpr double kPersonMinHeight = 0.9;
+constexpr double kPersonMaxHeight = 2.1;
+constexpr double kCarMinLength = 1.0;
+constexpr double kCarMaxLength = 5.6;
+constexpr double kCarMaxWidth = 2.3;
+constexpr double kCarMinHeight = 0.8;
+constexpr double kCarMaxHeight = 2.6;
+constexpr std::size_t kLeafyPoints = 30;
+constexpr double kShortWall = 2.0;
+// A low bush is rougher than anything on wheels.
+constexpr double kBushSmooth = 0.10;
+constexpr double kBushCurvature = 0.07;
+// A fence is thin, straight and much longer than wide.
+constexpr double kFenceVertical = 0.9;
+constexpr double kFenceWidth = 0.35;
+constexpr double kFenceLength = 1.5;
+constexpr double kFenceRatio = 4.0;
+constexpr double kFenceSigma = 0.06;
+
+/// The features under the names that the rules use.
+struct Shape {
+  double length, width, side, bottom, top, smooth, curvature, vertical, topcut, sigma;
+
+  explicit Shape(const FeatureVector& f)
+      : length(static_cast<double>(f[Feature::kLength])),
+        width(static_cast<double>(f[Feature::kWidth])),
+        side(std::max(length, width)),
+        bottom(static_cast<double>(f[Feature::kBottom])),
+        top(static_cast<double>(f[Feature::kTop])),
+        smooth(static_cast<double>(f[Feature::kSmoothShare])),
+        curvature(static_cast<double>(f[Feature::kLocalCurvature])),
+        vertical(static_cast<double>(f[Feature::kVerticalShare])),
+        topcut(static_cast<double>(f[Feature::kTopcut])),
+        sigma(std::sqrt(static_cast<double>(f[Feature::kCurvatureChange]) *
+                        static_cast<double>(f[Feature::kEigenvalueSum]))) {}
+};
+
+bool isLeafy(const Shape& s, const ClassConfig& c) {
+  return s.smooth < c.leafy_smooth && s.curvature > c.leafy_curvature;
+}
+
+bool isWall(const Shape& s, const ClassConfig& c) {
+  return s.vertical > c.wall_vertical && (s.width < c.wall_thickness || s.sigma < c.wall_sigma);
+}
+
+bool isTall(const Shape& s, const ClassConfig& c) {
+  return (s.topcut > c.topcut && s.top > c.tall_cut) || s.top > c.tall;
+}
+
+bool isPerson(const Shape& s) {
+  return s.side < kPersonWidth && s.top > kPersonMinHeight && s.top < kPersonMaxHeight;
+}
+
+bool isCar(const Shape& s) {
+  return s.length >= kCarMinLength && s.length <= kCarMaxLength && s.width <= kCarMaxWidth &&
+         s.top >= kCarMinHeight && s.top <= kCarMaxHeight;
+}
+
+bool isFence(const Shape& s) {
+  return s.vertical > kFenceVertical && s.width < kFenceWidth && s.length > kFenceLength &&
+         s.length > kFenceRatio * s.width && s.sigma < kFenceSigma;
+}
+
+ObjectClass classifyTall(const Shape& s, std::size_t points, const ClassConfig& c) {
+  const bool leafy = isLeafy(s, c);
+  if (s.length > c.large_length || s.width > c.large_width) {
+    return leafy ? ObjectClass::kVegetation : ObjectClass::kBuilding;
+  }
+  if (leafy && points >= kLeafyPoints) return ObjectClass::kVegetation;
+  if (isWall(s, c) && s.length < kShortWall) return ObjectClass::kBuilding;
+  return ObjectClass::kUnknown;  // bus, truck, van and a piece of wall look alike
+}
+
+ObjectClass classifyLarge(const Shape& s, const ClassConfig& c) {
+  if (isLeafy(s, c)) return ObjectClass::kVegetation;
+  return isWall(s, c) ? ObjectClass::kBuilding : ObjectClass::kUnknown;
+}
+
+}  // namespace
+
+ObjectClass classify(const FeatureVector& features, std::size_t points, const ClassConfig& config) {
+  const Shape s(features);
+  if (s.bottom > config.airborne) {
+    return isLeafy(s, config) ? ObjectClass::kVegetation : ObjectClass::kBuilding;
+  }
+  const bool tall = isTall(s, config);
+  if (tall && s.side < config.pole_side) return ObjectClass::kBuilding;
+  if (tall) return classifyTall(s, points, config);
+  if (s.length > config.long_length || s.width > config.long_width) return classifyLarge(s, config);
+  if (s.top < config.low) return ObjectClass::kUnknown;
+  const bool person = isPerson(s);
+  if (s.smooth < kBushSmooth && s.curvature > kBushCurvature && !person) {
+    return ObjectClass::kVegetation;
+  }
+  if (isFence(s)) return ObjectClass::kBuilding;
+  return person || isCar(s) ? ObjectClass::kHighMobility : ObjectClass::kUnknown;
+}
+
+}  // namespace segdf

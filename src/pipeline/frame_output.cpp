@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/pipeline/frame_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace segdf {
+
+namespace {
+
+std::vector<PointLabel> labelPoints(const KeyFrame& frame) {
+  std::vector<PointLabel> labels(frame.scan.points.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (frame.seg.roles[i] == PointRole::kGround) labels[i].state = PointState::kGround;
+    if (frame.seg.roles[i] == PointRole::kObject) labels[i].state = PointState::kNoise;
+  }
+  for (std::size_t s = 0; s < frame.seg.segments.size(); ++s) {
+    const Segment& segment = frame.seg.segments[s];
+    const Instance& instance = frame.instances[s];
+    const PointState state = instance.dynamic ? PointState::kDynamic : PointState::kStatic;
+    for (std::uint32_t i : segment.points) labels[i] = {instance.id, state, segment.object_class};
+  }
+  return labels;
+}
+
+InstanceObservation observationOf(const Segment& segment,
+                                  const Instance& instance,
+                                  const Pose& pose) {
+  InstanceObservation seen;
+  seen.id = instance.id;
+  seen.parent = instance.parent;
+  seen.object_class = segment.object_class;
+  seen.dynamic = instance.dynamic;
+  seen.fused = instance.fused;
+  seen.points = static_cast<std::uint32_t>(segment.points.size());
+  seen.static_votes = instance.static_votes;
+  seen.dynamic_votes = instance.dynamic_votes;
+  seen.center = pose * segment.box.center.cast<double>();
+  seen.size = segment.box.size.cast<double>();
+  const auto yaw = static_cast<double>(segment.box.yaw);
+  const Eigen::Vector3d axis = pose.linear() * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0);
+  seen.yaw = std::atan2(axis.y(), axis.x());
+  return seen;
+}
+
+}  // namespace
+
+FrameResult mappedResult(KeyFrame frame) {
+  FrameResult result;
+  result.labels = labelPoints(frame);
+  for (std::size_t s = 0; s < frame.seg.segments.size(); ++s) {
+    result.instances.push_back(
+        observationOf(frame.seg.segments[s], frame.instances[s], frame.scan.pose));
+  }
+  std::sort(result.instances.begin(), result.instances.end(),
+            [](const InstanceObservation& a, const InstanceObservation& b) { return a.id < b.id; });
+  result.pose_misfit = frame.pose_misfit;
+  result.non_finite_points = frame.seg.non_finite_points;
+  result.times = frame.times;
+  result.scan = std::move(frame.scan);
+  return result;
+}
+
+FrameResult rejectedResult(Scan scan, FrameStatus status) {
+  FrameResult result;
+  result.status = status;
+  result.labels.resize(scan.points.size());
+  result.pose_misfit = std::numeric_limits<double>::quiet_NaN();
+  result.non_finite_points = static_cast<std::size_t>(std::count_if(
+      scan.points.begin(), scan.points.end(), [](const Point& p) { return !isFinite(p); }));
+  result.scan = std::move(scan);
+  return result;
+}
+
+}  // namespace segdf

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/segmentation/segmenter.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "segdf/core/parallel.hpp"
+#include "segdf/core/stage_timer.hpp"
+#include "segdf/segmentation/ground.hpp"
+#include "segdf/segmentation/intensity.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+
+bool isOnVehicle(const Point& p, const InputConfig& config) {
+  const auto& box = config.ego_box;
+  const auto x = static_cast<double>(p.x);
+  const auto y = static_cast<double>(p.y);
+  return x > box[0] && x < box[1] && y > box[2] && y < box[3];
+}
+
+void markGround(const Scan& scan, const Config& config, int threads, Segmentation& seg) {
+  const Ground ground = extractGround(scan.points, seg.roles, config.ground, threads);
+  for (std::size_t i = 0; i < seg.roles.size(); ++i) {
+    if (ground.is_ground[i] != 0) seg.roles[i] = PointRole::kGround;
+  }
+  seg.height = heightOverGround(scan.points, ground, config.ground.l_max);
+}
+
+void estimateSurfaces(const Scan& scan, const Config& config, int threads, Segmentation& seg) {
+  const RangeImage image(scan.points, seg.roles, config.range_image);
+  seg.surfaces = estimateSurfaces(scan.points, seg.roles, image, config.range_image, threads);
+  seg.row.resize(scan.points.size());
+  seg.column.resize(scan.points.size());
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    seg.row[i] = image.rowOf(i);
+    seg.column[i] = image.columnOf(i);
+  }
+}
+
+/// Keys of the object points, in the order of the points.
+std::vector<KeyedPoint> objectKeys(const Scan& scan,
+                                   const std::vector<PointRole>& roles,
+                                   const CurvedGrid& grid,
+                                   int threads) {
+  std::vector<CurvedGrid::Key> keys(scan.points.size(), 0);
+  parallelBlocks(scan.points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (roles[i] != PointRole::kObject) continue;
+      keys[i] = grid.keyOf(scan.points[i].position().cast<double>()).value_or(0);
+    }
+  });
+  std::vector<KeyedPoint> items;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i] != 0) items.emplace_back(keys[i], static_cast<std::uint32_t>(i));
+  }
+  return items;
+}
+
+std::vector<Segment> collectSegments(const Scan& scan,
+                                     const CurvedVoxels& voxels,
+                                     const Clusters& clusters) {
+  std::vector<Segment> segments(clusters.count);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (clusters.of_voxel[v] == Clusters::kNoise) continue;
+    Segment& segment = segments[static_cast<std::size_t>(clusters.of_voxel[v])];
+    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+      segment.points.push_back(voxels.points[k]);
+      segment.bounds.extend(scan.points[voxels.points[k]].position());
+    }
+  }
+  for (Segment& segment : segments) std::sort(segment.points.begin(), segment.points.end());
+  return segments;
+}
+
+}  // namespace
+
+std::vector<PointRole> selectPoints(const std::vector<Point>& points, const InputConfig& config) {
+  std::vector<PointRole> roles(points.size(), PointRole::kUnused);
+  const auto near = static_cast<float>(config.min_range);
+  const auto far = static_cast<float>(config.max_range);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const float range = points[i].position().norm();
+    // A NaN coordinate makes the range NaN, which is in no interval.
+    if (range > near && range < far && !isOnVehicle(points[i], config))
+      roles[i] = PointRole::kObject;
+  }
+  return roles;
+}
+
+Segmentation segmentScan(const Scan& scan, const Config& config, int threads, StageTimes& times) {
+  Segmentation seg;
+  seg.roles = selectPoints(scan.points, config.input);
+  seg.non_finite_points = static_cast<std::size_t>(std::count_if(
+      scan.points.begin(), scan.points.end(), [](const Point& p) { return !isFinite(p); }));
+  {
+    const StageTimer timer(times.ground);
+    markGround(scan, config, threads, seg);
+  }
+  {
+    const StageTimer timer(times.normals);
+    estimateSurfaces(scan, config, threads, seg);
+  }
+  const StageTimer timer(times.clustering);
+  const std::vector<float> intensity =
+      calibrateIntensity(scan.points, seg.surfaces, config.intensity);
+  const CurvedGrid grid(config.cvi, config.input.min_range);
+  seg.voxels = buildCurvedVoxels(objectKeys(scan, seg.roles, grid, threads), intensity);
+  seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
+  seg.segments = collectSegments(scan, seg.voxels, seg.clusters);
+  return seg;
+}
+
+}  // namespace segdf
