@@ -21,8 +21,10 @@ constexpr std::size_t kZones = 4;
 // Patchwork++'s grid: rings and sectors of each zone.
 constexpr std::array<int, kZones> kRings{2, 4, 4, 4};
 constexpr std::array<int, kZones> kSectors{16, 32, 54, 32};
-// Reflections below ground lie lower than this multiple of the sensor's height.
+// Reflections below ground lie lower than this multiple of the sensor's height, and lower than a road that
+// falls away from the sensor as steeply as roads do.
 constexpr double kReflectionRatio = 1.1;
+constexpr double kSteepestRoad = 0.15;
 // Below this ratio of the two larger eigenvalues a patch is one scan line, and its plane is not
 // determined.
 constexpr double kLineRatio = 0.01;
@@ -135,9 +137,11 @@ class PatchFitter {
   double z(std::uint32_t i) const { return static_cast<double>(points_[i].z); }
 
   void dropReflections(Indices& candidates) const {
-    const double lowest = -kReflectionRatio * sensor_height_;
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                    [&](std::uint32_t i) { return z(i) < lowest; }),
+    const auto is_reflection = [&](std::uint32_t i) {
+      const auto range = static_cast<double>(points_[i].position().head<2>().norm());
+      return z(i) < -kReflectionRatio * sensor_height_ - kSteepestRoad * range;
+    };
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_reflection),
                      candidates.end());
   }
 

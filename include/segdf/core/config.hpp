@@ -59,9 +59,9 @@ struct GroundConfig {
   int n_lpr = 20;
   int n_iter = 3;
   double th_seed = 0.3;
-  double th_dist = 0.125;
+  double th_dist = 0.1;
   double below_tol = 0.5;
-  double uprightness = 0.707;
+  double uprightness = 0.9;
   double wall_dist = 0.1;
   std::array<double, 4> elevation{0.523, 0.746, 0.879, 1.125};
   std::array<double, 4> flatness{0.0005, 0.000725, 0.001, 0.001};

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/classification/classifier.hpp"
+
+#include <gtest/gtest.h>
+
+namespace segdf {
+namespace {
+
+/// A smooth solid object standing on the ground.
+FeatureVector object(float length, float width, float top) {
+  FeatureVector f;
+  f[Feature::kLength] = length;
+  f[Feature::kWidth] = width;
+  f[Feature::kTop] = top;
+  f[Feature::kSmoothShare] = 0.6F;
+  f[Feature::kLocalCurvature] = 0.01F;
+  f[Feature::kVerticalShare] = 0.5F;
+  f[Feature::kCurvatureChange] = 0.1F;
+  f[Feature::kEigenvalueSum] = 1.0F;
+  return f;
+}
+
+FeatureVector leafy(FeatureVector f) {
+  f[Feature::kSmoothShare] = 0.05F;
+  f[Feature::kLocalCurvature] = 0.12F;
+  return f;
+}
+
+FeatureVector flatWall(FeatureVector f) {
+  f[Feature::kVerticalShare] = 0.95F;
+  f[Feature::kCurvatureChange] = 0.001F;
+  return f;
+}
+
+ObjectClass classOf(const FeatureVector& f) { return classify(f, 200, ClassConfig{}); }
+
+TEST(Classifier, CarsAndPeopleAreHighMobility) {
+  EXPECT_EQ(classOf(object(4.3F, 1.8F, 1.5F)), ObjectClass::kHighMobility);
+  EXPECT_EQ(classOf(object(1.6F, 0.3F, 1.4F)), ObjectClass::kHighMobility) << "rear face";
+  EXPECT_EQ(classOf(object(0.6F, 0.5F, 1.7F)), ObjectClass::kHighMobility);
+  EXPECT_EQ(classOf(object(1.8F, 0.6F, 1.8F)), ObjectClass::kHighMobility) << "cyclist";
+  EXPECT_EQ(classOf(leafy(object(0.6F, 0.5F, 1.7F))), ObjectClass::kHighMobility)
+      << "clothes are rough, a person is no bush";
+}
+
+TEST(Classifier, BigVehiclesAreNeverExcluded) {
+  EXPECT_TRUE(isTested(classOf(object(12.0F, 2.55F, 3.2F)))) << "bus";
+  EXPECT_TRUE(isTested(classOf(object(8.0F, 2.5F, 2.5F)))) << "truck";
+  EXPECT_TRUE(isTested(classOf(object(5.9F, 2.1F, 2.4F)))) << "van";
+}
+
+TEST(Classifier, StructuresAreBuildings) {
+  EXPECT_EQ(classOf(object(0.4F, 0.3F, 4.0F)), ObjectClass::kBuilding) << "pole";
+  EXPECT_EQ(classOf(object(25.0F, 0.6F, 5.0F)), ObjectClass::kBuilding) << "house";
+  EXPECT_EQ(classOf(flatWall(object(9.0F, 0.3F, 1.8F))), ObjectClass::kBuilding) << "garden wall";
+  FeatureVector sign = object(0.8F, 0.1F, 2.4F);
+  sign[Feature::kBottom] = 1.9F;
+  EXPECT_EQ(classOf(sign), ObjectClass::kBuilding) << "no ground contact";
+}
+
+TEST(Classifier, FoliageIsVegetation) {
+  EXPECT_EQ(classOf(leafy(object(6.0F, 5.0F, 6.0F))), ObjectClass::kVegetation) << "tree";
+  EXPECT_EQ(classOf(leafy(object(8.0F, 1.2F, 1.5F))), ObjectClass::kVegetation) << "hedge";
+  EXPECT_EQ(classOf(leafy(object(1.6F, 1.4F, 1.1F))), ObjectClass::kVegetation) << "bush";
+  FeatureVector crown = leafy(object(4.0F, 4.0F, 5.0F));
+  crown[Feature::kBottom] = 2.0F;
+  EXPECT_EQ(classOf(crown), ObjectClass::kVegetation);
+}
+
+TEST(Classifier, ACutObjectIsTall) {
+  FeatureVector trunk = object(0.5F, 0.4F, 2.2F);
+  EXPECT_NE(classOf(trunk), ObjectClass::kBuilding);
+  trunk[Feature::kTopcut] = 0.9F;
+  EXPECT_EQ(classOf(trunk), ObjectClass::kBuilding);
+}
+
+TEST(Classifier, LowThingsAreUnknown) {
+  EXPECT_EQ(classOf(object(1.0F, 0.4F, 0.2F)), ObjectClass::kUnknown);
+}
+
+}  // namespace
+}  // namespace segdf

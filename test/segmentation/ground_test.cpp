@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/segmentation/ground.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/box_world.hpp"
+
+namespace segdf {
+namespace {
+
+using test::BoxWorld;
+
+std::vector<PointRole> allUsed(const Scan& scan) {
+  return std::vector<PointRole>(scan.points.size(), PointRole::kObject);
+}
+
+Ground groundOf(const Scan& scan, int threads = 1) {
+  return extractGround(scan.points, allUsed(scan), GroundConfig{}, threads);
+}
+
+/// Height of a point above z = 0 of the world.
+double worldHeight(const Scan& scan, std::size_t i) {
+  return (scan.pose * scan.points[i].position().cast<double>()).z();
+}
+
+/// Share of points for which `is_ground` says what the world says; `low` are the ground's points.
+struct Score {
+  double recall = 0.0;
+  double precision = 0.0;
+};
+
+Score score(const Scan& scan, const Ground& ground) {
+  double hit = 0.0;
+  double truth = 0.0;
+  double marked = 0.0;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const bool low = worldHeight(scan, i) < 1e-3;
+    truth += low ? 1.0 : 0.0;
+    marked += ground.is_ground[i] != 0 ? 1.0 : 0.0;
+    hit += low && ground.is_ground[i] != 0 ? 1.0 : 0.0;
+  }
+  return {hit / truth, hit / marked};
+}
+
+TEST(Ground, FlatStreetIsFound) {
+  const Scan scan = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
+  const Score result = score(scan, groundOf(scan));
+  // All but patches of fewer than n_min points; walls give only the points within th_dist of the
+  // ground.
+  EXPECT_GT(result.recall, 0.98);
+  EXPECT_GT(result.precision, 0.97);
+}
+
+TEST(Ground, ABoxIsNotGroundAboveTheDistanceThreshold) {
+  BoxWorld world;
+  world.add(10.0, 0.0, 4.0, 1.8, 1.5);
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Ground ground = groundOf(scan);
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    // 0.125 m threshold plus the pull of the box's lowest points on the plane.
+    if (worldHeight(scan, i) > 0.25) {
+      ASSERT_EQ(ground.is_ground[i], 0) << worldHeight(scan, i);
+    }
+  }
+}
+
+TEST(Ground, ASlopeIsGround) {
+  Scan scan = BoxWorld().scan(0.0, 0.0, 0.0, 0);
+  // A road that falls by 10 % ahead: tilt the whole scan about the sensor's foot.
+  const Eigen::Vector3f foot(0.0F, 0.0F, -1.73F);
+  const Eigen::AngleAxisf tilt(0.0997F, Eigen::Vector3f::UnitY());
+  for (Point& p : scan.points) {
+    const Eigen::Vector3f x = tilt * (p.position() - foot) + foot;
+    p.x = x.x();
+    p.y = x.y();
+    p.z = x.z();
+  }
+  const Ground ground = groundOf(scan);
+  std::size_t marked = 0;
+  for (std::uint8_t g : ground.is_ground) marked += g;
+  EXPECT_GT(static_cast<double>(marked), 0.95 * static_cast<double>(scan.points.size()));
+}
+
+TEST(Ground, HeightOfTheSensorIsMeasured) {
+  const Scan scan = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
+  EXPECT_NEAR(estimateSensorHeight(scan.points, allUsed(scan), GroundConfig{}), 1.73, 0.02);
+}
+
+TEST(Ground, HeightOverGroundFollowsTheWorld) {
+  const Scan scan = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
+  const std::vector<float> height = heightOverGround(scan.points, groundOf(scan), 80.0);
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    // Farther out a cell may hold nothing but a wall's foot.
+    if (scan.points[i].position().norm() > 25.0F) continue;
+    // A wall's foot within th_dist counts as ground and lifts its cell, a little more where it
+    // tilts the plane.
+    ASSERT_NEAR(static_cast<double>(height[i]), worldHeight(scan, i), 1.5 * GroundConfig{}.th_dist);
+  }
+}
+
+TEST(Ground, ReflectionsBelowTheRoadAreNotGround) {
+  Scan scan = BoxWorld().scan(0.0, 0.0, 0.0, 0);
+  const std::size_t first = scan.points.size();
+  for (const Point& p : test::randomBlob({6.0, 0.0, -4.0}, {1.0, 1.0, 0.2}, 40, 1)) {
+    scan.points.push_back(p);
+  }
+  const Ground ground = groundOf(scan);
+  for (std::size_t i = first; i < scan.points.size(); ++i) ASSERT_EQ(ground.is_ground[i], 0);
+  EXPECT_GT(score(scan, ground).precision, 0.99);
+}
+
+TEST(Ground, UnusedPointsAreNeverGround) {
+  const Scan scan = BoxWorld().scan(0.0, 0.0, 0.0, 0);
+  std::vector<PointRole> roles = allUsed(scan);
+  for (std::size_t i = 0; i < roles.size(); i += 2) roles[i] = PointRole::kUnused;
+  const Ground ground = extractGround(scan.points, roles, GroundConfig{}, 1);
+  for (std::size_t i = 0; i < roles.size(); i += 2) ASSERT_EQ(ground.is_ground[i], 0);
+}
+
+TEST(Ground, NothingAndTooLittleGiveNoGround) {
+  EXPECT_TRUE(groundOf(Scan{}).is_ground.empty());
+  Scan few;
+  few.points = test::randomBlob({5.0, 0.0, -1.7}, {0.1, 0.1, 0.01}, 9, 2);
+  for (std::uint8_t g : groundOf(few).is_ground) EXPECT_EQ(g, 0);
+}
+
+TEST(Ground, SameOnTwoThreads) {
+  const Scan scan = test::makeStreet().scan(0.0, 0.0, 30.0, 0);
+  EXPECT_EQ(groundOf(scan, 1).is_ground, groundOf(scan, 2).is_ground);
+}
+
+}  // namespace
+}  // namespace segdf
