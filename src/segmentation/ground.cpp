@@ -21,8 +21,8 @@ constexpr std::size_t kZones = 4;
 // Patchwork++'s grid: rings and sectors of each zone.
 constexpr std::array<int, kZones> kRings{2, 4, 4, 4};
 constexpr std::array<int, kZones> kSectors{16, 32, 54, 32};
-// Reflections below ground lie lower than this multiple of the sensor's height, and lower than a road that
-// falls away from the sensor as steeply as roads do.
+// Reflections below ground lie lower than this multiple of the sensor's height, and lower than a
+// road that falls away from the sensor as steeply as roads do.
 constexpr double kReflectionRatio = 1.1;
 constexpr double kSteepestRoad = 0.15;
 // Below this ratio of the two larger eigenvalues a patch is one scan line, and its plane is not

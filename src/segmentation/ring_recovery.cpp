@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 namespace segdf {
 
@@ -14,8 +16,6 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMinRings = 4;
 constexpr std::size_t kMaxRings = 130;
 constexpr double kOneDirection = 0.9;
-// The next ring starts about a turn back; a gap in the returns never looks like one.
-constexpr double kJump = kPi;
 
 double azimuth(const Point& p) {
   return std::atan2(static_cast<double>(p.y), static_cast<double>(p.x));
@@ -39,49 +39,73 @@ double sweepDirection(const std::vector<Point>& points) {
   return rising >= 0 ? 1.0 : -1.0;
 }
 
-/// Ring of each point: a ring ends when its sweep, measured from the scan's first azimuth, starts
-/// anew.
-std::vector<std::int16_t> cutAtWraps(const std::vector<Point>& points) {
-  const double direction = sweepDirection(points);
-  std::vector<std::int16_t> rings(points.size(), -1);
-  const auto first = std::find_if(points.begin(), points.end(), isFinite);
-  if (first == points.end()) return rings;
-  const double start = azimuth(*first);
+/// A way to cut the scan into rings, and how even they come out.
+struct Cut {
+  std::vector<std::int16_t> rings;
+  std::vector<double> elevations;  ///< mean of each ring, rad
+  double scatter = 0.0;            ///< squared deviations from it, summed
+};
+
+/// Cuts where the sweep, measured from the azimuth `start`, falls back by more than half a turn.
+Cut cutAt(const std::vector<Point>& points, double start, double direction) {
+  Cut cut;
+  cut.rings.assign(points.size(), -1);
   double previous = 0.0;
   std::int16_t ring = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (isFinite(points[i])) {
       double swept = direction * (azimuth(points[i]) - start);
-      // A quarter turn of margin: rings do not all begin at exactly the same azimuth.
-      swept -= 2.0 * kPi * std::floor((swept + kPi / 2.0) / (2.0 * kPi));
-      if (swept < previous - kJump && ring < static_cast<std::int16_t>(kMaxRings)) ++ring;
+      swept -= 2.0 * kPi * std::floor(swept / (2.0 * kPi));
+      if (swept < previous - kPi && ring <= static_cast<std::int16_t>(kMaxRings)) ++ring;
       previous = swept;
     }
-    rings[i] = ring;
+    cut.rings[i] = ring;
   }
-  return rings;
+  return cut;
 }
 
-std::vector<double> meanElevations(const std::vector<Point>& points,
-                                   const std::vector<std::int16_t>& rings) {
-  std::vector<double> sum(static_cast<std::size_t>(rings.back()) + 1, 0.0);
-  std::vector<double> count(sum.size(), 0.0);
+void measureElevations(const std::vector<Point>& points, Cut& cut) {
+  const std::size_t count = cut.rings.empty() ? 0 : static_cast<std::size_t>(cut.rings.back()) + 1;
+  std::vector<double> sum(count, 0.0);
+  std::vector<double> squares(count, 0.0);
+  std::vector<double> number(count, 0.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!isFinite(points[i]) || rings[i] < 0) continue;
-    sum[static_cast<std::size_t>(rings[i])] += elevation(points[i]);
-    count[static_cast<std::size_t>(rings[i])] += 1.0;
+    if (!isFinite(points[i])) continue;
+    const auto ring = static_cast<std::size_t>(cut.rings[i]);
+    const double e = elevation(points[i]);
+    sum[ring] += e;
+    squares[ring] += e * e;
+    number[ring] += 1.0;
   }
-  for (std::size_t r = 0; r < sum.size(); ++r) sum[r] /= std::max(count[r], 1.0);
-  return sum;
+  for (std::size_t r = 0; r < count; ++r) {
+    const double n = std::max(number[r], 1.0);
+    cut.elevations.push_back(sum[r] / n);
+    cut.scatter += squares[r] - sum[r] * sum[r] / n;
+  }
 }
 
-bool isPlausible(const std::vector<Point>& points, const std::vector<std::int16_t>& rings) {
-  if (rings.empty() || rings.back() < 0) return false;
-  const std::vector<double> elevations = meanElevations(points, rings);
+/// The cut with the most even rings.
+Cut bestCut(const std::vector<Point>& points) {
+  const double direction = sweepDirection(points);
+  std::vector<double> starts{0.0, kPi / 2.0, kPi, -kPi / 2.0};
+  const auto first = std::find_if(points.begin(), points.end(), isFinite);
+  if (first != points.end()) starts.push_back(azimuth(*first));
+  Cut best;
+  best.scatter = std::numeric_limits<double>::infinity();
+  for (double start : starts) {
+    Cut cut = cutAt(points, start, direction);
+    measureElevations(points, cut);
+    if (cut.scatter < best.scatter) best = std::move(cut);
+  }
+  return best;
+}
+
+bool isPlausible(const std::vector<double>& elevations) {
   if (elevations.size() < kMinRings || elevations.size() > kMaxRings) return false;
   std::size_t falling = 0;
-  for (std::size_t r = 1; r < elevations.size(); ++r)
+  for (std::size_t r = 1; r < elevations.size(); ++r) {
     falling += elevations[r] < elevations[r - 1] ? 1 : 0;
+  }
   const auto pairs = static_cast<double>(elevations.size() - 1);
   const auto down = static_cast<double>(falling);
   return std::max(down, pairs - down) >= kOneDirection * pairs;
@@ -90,9 +114,9 @@ bool isPlausible(const std::vector<Point>& points, const std::vector<std::int16_
 }  // namespace
 
 bool recoverRings(std::vector<Point>& points) {
-  const std::vector<std::int16_t> rings = cutAtWraps(points);
-  if (!isPlausible(points, rings)) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].ring = rings[i];
+  const Cut cut = bestCut(points);
+  if (!isPlausible(cut.elevations)) return false;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].ring = cut.rings[i];
   return true;
 }
 

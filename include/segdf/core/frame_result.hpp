@@ -30,10 +30,10 @@ struct InstanceObservation {
   std::uint32_t parent = 0;  ///< instance from which it was split, 0 = none
   ObjectClass object_class = ObjectClass::kUnknown;
   bool dynamic = false;
-  bool fused = false;               ///< made of several clusters (Algorithm 2, line 18)
+  bool fused = false;  ///< made of several clusters (Algorithm 2, line 18)
   std::uint32_t points = 0;
-  std::uint32_t static_votes = 0;   ///< HS votes (Algorithm 2, lines 12 and 17)
-  std::uint32_t dynamic_votes = 0;  ///< HD votes (lines 10 and 14)
+  std::uint32_t static_votes = 0;                    ///< HS votes (Algorithm 2, lines 12 and 17)
+  std::uint32_t dynamic_votes = 0;                   ///< HD votes (lines 10 and 14)
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< box centre in the map frame, metres
   Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< length >= width, height; metres
   double yaw = 0.0;                                  ///< of the length axis in the map frame, rad
@@ -52,8 +52,8 @@ struct StageTimes {
 struct FrameResult {
   std::size_t index = 0;  ///< running number of the scan, from 0, as given to Pipeline::process
   FrameStatus status = FrameStatus::kMapped;
-  Scan scan;                               ///< as given
-  std::vector<PointLabel> labels;          ///< one for each point of `scan`
+  Scan scan;                                   ///< as given
+  std::vector<PointLabel> labels;              ///< one for each point of `scan`
   std::vector<InstanceObservation> instances;  ///< ordered by id
   /// Median point-to-plane distance to the previous key frame, metres; NaN when not measurable.
   double pose_misfit = 0.0;

@@ -6,9 +6,9 @@
 
 namespace segdf {
 
-/// Calls `body(i)` for i in [0, n) on up to `threads` threads. Each i must write only to its own slot, so
-/// that the result does not depend on the number of threads. The first exception (in the order of
-/// arrival) is thrown again after the loop.
+/// Calls `body(i)` for i in [0, n) on up to `threads` threads. Each i must write only to its own
+/// slot, so that the result does not depend on the number of threads. The first exception (in the
+/// order of arrival) is thrown again after the loop.
 template <class Body>
 void parallelFor(std::size_t n, int threads, const Body& body) {
   std::exception_ptr failure;

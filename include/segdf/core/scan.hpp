@@ -26,9 +26,9 @@ struct Point {
 
 /// One sweep P_k of the draft's section III-A with its pose T_k (sensor frame Q_k to map frame M).
 struct Scan {
-  std::int64_t stamp_ns = 0;       ///< header stamp, nanoseconds
-  Pose pose = Pose::Identity();    ///< map_T_sensor
-  std::vector<Point> points;       ///< in the sensor frame, in the order in which they came
+  std::int64_t stamp_ns = 0;     ///< header stamp, nanoseconds
+  Pose pose = Pose::Identity();  ///< map_T_sensor
+  std::vector<Point> points;     ///< in the sensor frame, in the order in which they came
 
   double stampSeconds() const { return static_cast<double>(stamp_ns) * 1e-9; }
 };

@@ -10,12 +10,12 @@ namespace segdf::semantic_kitti {
 
 // Classes that segdf writes itself; ground truth uses more of them.
 constexpr std::uint16_t kUnlabelled = 0;
-constexpr std::uint16_t kStatic = 9;        ///< segdf: static, no finer class
-constexpr std::uint16_t kCar = 10;          ///< segdf: static high-mobility instance
-constexpr std::uint16_t kRoad = 40;         ///< segdf: ground
+constexpr std::uint16_t kStatic = 9;  ///< segdf: static, no finer class
+constexpr std::uint16_t kCar = 10;    ///< segdf: static high-mobility instance
+constexpr std::uint16_t kRoad = 40;   ///< segdf: ground
 constexpr std::uint16_t kBuilding = 50;
 constexpr std::uint16_t kVegetation = 70;
-constexpr std::uint16_t kDynamic = 251;     ///< segdf: removed; not used by SemanticKITTI itself
+constexpr std::uint16_t kDynamic = 251;  ///< segdf: removed; not used by SemanticKITTI itself
 constexpr std::uint16_t kFirstMoving = 252;
 constexpr std::uint16_t kLastMoving = 259;
 
@@ -40,8 +40,8 @@ constexpr bool isIgnored(std::uint16_t semantic_class) { return semantic_class <
 /// Ground truth: 10 11 13 15 16 18 20 30 31 32, classes that can move, standing still.
 bool isParkedMovable(std::uint16_t semantic_class);
 
-/// Codes a verdict as in docs: 0, 9, 10, 40, 50, 70 or 251. Instance ids above 65535 do not fit in the
-/// upper half and are written as 0 (none); the map and instances.csv keep them whole.
+/// Codes a verdict as in docs: 0, 9, 10, 40, 50, 70 or 251. Instance ids above 65535 do not fit in
+/// the upper half and are written as 0 (none); the map and instances.csv keep them whole.
 std::uint32_t encode(const PointLabel& label);
 
 }  // namespace segdf::semantic_kitti

@@ -10,7 +10,8 @@
 
 namespace segdf {
 
-/// Input or output that cannot be used. what() is one line that names the thing, its value and what to do.
+/// Input or output that cannot be used. what() is one line that names the thing, its value and what
+/// to do.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -15,11 +15,11 @@ namespace segdf {
 /// One row of instances.csv: an instance over all frames in which it was seen.
 struct InstanceRecord {
   std::uint32_t id = 0;
-  std::uint32_t parent = 0;  ///< instance from which it was split, 0 = none
+  std::uint32_t parent = 0;                          ///< instance from which it was split, 0 = none
   ObjectClass object_class = ObjectClass::kUnknown;  ///< of most of its points
   std::size_t frames = 0;
   std::size_t points = 0;
-  std::size_t dynamic_points = 0;              ///< removed from the map
+  std::size_t dynamic_points = 0;                  ///< removed from the map
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< largest length, width, height seen; metres
   std::size_t static_votes = 0;
   std::size_t dynamic_votes = 0;

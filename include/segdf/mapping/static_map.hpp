@@ -11,8 +11,8 @@
 
 namespace segdf {
 
-/// The static instance map S^ of (4) on a voxel grid: all kept points of the frames added so far, one point
-/// per occupied voxel. Memory grows with the space seen, not with the time spent in it.
+/// The static instance map S^ of (4) on a voxel grid: all kept points of the frames added so far,
+/// one point per occupied voxel. Memory grows with the space seen, not with the time spent in it.
 class StaticMap {
  public:
   /// @param voxel edge of the grid, metres, > 0. @throws std::invalid_argument otherwise

@@ -13,11 +13,12 @@ namespace segdf {
 
 /// The engine that nodelet, offline runner and tests drive: draft section III, (3) and (4).
 ///
-/// Scans go in by process(), in order of time; frames come out when they leave the sliding window of key
-/// frames, in the order in which they went in, each exactly once and with a label for every point.
-/// flush() returns what is still inside. The result is a function of scans and configuration: it does
-/// not depend on the number of threads, on the clock, or on how long the caller waits between scans.
-/// Memory is bounded by the window, not by the length of the drive. Not thread-safe.
+/// Scans go in by process(), in order of time; frames come out when they leave the sliding window
+/// of key frames, in the order in which they went in, each exactly once and with a label for every
+/// point. flush() returns what is still inside. The result is a function of scans and
+/// configuration: it does not depend on the number of threads, on the clock, or on how long the
+/// caller waits between scans. Memory is bounded by the window, not by the length of the drive. Not
+/// thread-safe.
 class Pipeline {
  public:
   /// @param threads worker threads, at least 1
@@ -29,12 +30,12 @@ class Pipeline {
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
-  /// Takes the next scan. A scan that cannot be used is returned, in its turn, with the status that says
-  /// why; it never throws for bad data.
+  /// Takes the next scan. A scan that cannot be used is returned, in its turn, with the status that
+  /// says why; it never throws for bad data.
   std::vector<FrameResult> process(Scan scan);
 
-  /// Decides and returns all frames still in the window, and forgets the past: the next scan starts a new
-  /// session, in which instance ids and frame numbers go on and time may start anew.
+  /// Decides and returns all frames still in the window, and forgets the past: the next scan starts
+  /// a new session, in which instance ids and frame numbers go on and time may start anew.
   std::vector<FrameResult> flush();
 
  private:
