@@ -16,6 +16,9 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMinRings = 4;
 constexpr std::size_t kMaxRings = 130;
 constexpr double kOneDirection = 0.9;
+constexpr double kLargestShare = 0.5;
+// Rings that begin where the first point lies do so within a fraction of a column.
+constexpr double kStartMargin = 1e-3;  // rad
 
 double azimuth(const Point& p) {
   return std::atan2(static_cast<double>(p.y), static_cast<double>(p.x));
@@ -43,6 +46,7 @@ double sweepDirection(const std::vector<Point>& points) {
 struct Cut {
   std::vector<std::int16_t> rings;
   std::vector<double> elevations;  ///< mean of each ring, rad
+  double largest = 0.0;            ///< points in the largest ring
   double scatter = 0.0;            ///< squared deviations from it, summed
 };
 
@@ -80,6 +84,7 @@ void measureElevations(const std::vector<Point>& points, Cut& cut) {
   for (std::size_t r = 0; r < count; ++r) {
     const double n = std::max(number[r], 1.0);
     cut.elevations.push_back(sum[r] / n);
+    cut.largest = std::max(cut.largest, number[r]);
     cut.scatter += squares[r] - sum[r] * sum[r] / n;
   }
 }
@@ -89,7 +94,7 @@ Cut bestCut(const std::vector<Point>& points) {
   const double direction = sweepDirection(points);
   std::vector<double> starts{0.0, kPi / 2.0, kPi, -kPi / 2.0};
   const auto first = std::find_if(points.begin(), points.end(), isFinite);
-  if (first != points.end()) starts.push_back(azimuth(*first));
+  if (first != points.end()) starts.push_back(azimuth(*first) - direction * kStartMargin);
   Cut best;
   best.scatter = std::numeric_limits<double>::infinity();
   for (double start : starts) {
@@ -115,6 +120,7 @@ bool isPlausible(const std::vector<double>& elevations) {
 
 bool recoverRings(std::vector<Point>& points) {
   const Cut cut = bestCut(points);
+  if (cut.largest > kLargestShare * static_cast<double>(points.size())) return false;
   if (!isPlausible(cut.elevations)) return false;
   for (std::size_t i = 0; i < points.size(); ++i) points[i].ring = cut.rings[i];
   return true;

@@ -24,6 +24,7 @@ std::vector<std::int16_t> takeRings(Scan& scan) {
 void expectSameRings(const Scan& scan, const std::vector<std::int16_t>& rings) {
   // Rings without any return leave no trace, so numbers may be smaller; equal must stay equal.
   for (std::size_t i = 1; i < rings.size(); ++i) {
+    if (!isFinite(scan.points[i]) || !isFinite(scan.points[i - 1])) continue;
     ASSERT_EQ(scan.points[i].ring == scan.points[i - 1].ring, rings[i] == rings[i - 1]) << i;
   }
 }
