@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "segdf/core/config.hpp"
+#include "segdf/core/frame_result.hpp"
+#include "segdf/io/output_folder.hpp"
+#include "segdf/io/pcd_stream.hpp"
+#include "segdf/io/run_report.hpp"
+#include "segdf/mapping/instance_table.hpp"
+#include "segdf/mapping/static_map.hpp"
+
+namespace segdf {
+
+/// Writes everything that a drive leaves behind: static_map.pcd, dynamic_points.pcd,
+/// labels/NNNNNN.label, instances.csv, config.yaml, report.json and map.png (layout.md 6). Maps go
+/// to disk frame by frame.
+class DriveWriter {
+ public:
+  /// @throws IoError when the folder cannot be written
+  DriveWriter(const std::filesystem::path& folder, const Config& config);
+
+  /// Adds a frame; frames come in the order of their index. @throws IoError when the disk is full
+  void add(const FrameResult& frame);
+
+  /// Writes tables, report and picture, and moves everything into place. @throws IoError
+  void finish();
+
+  RunReport& report() { return report_; }
+  /// Where results are until finish().
+  const std::filesystem::path& staging() const { return folder_.staging(); }
+
+ private:
+  void writeInstances();
+  void drawMap() const;
+
+  Config config_;
+  OutputFolder folder_;
+  PcdStream static_points_;
+  PcdStream dynamic_points_;
+  std::unique_ptr<StaticMap> voxel_map_;  ///< only when map.voxel is set
+  InstanceTable instances_;
+  RunReport report_;
+  std::vector<Eigen::Vector2d> trajectory_;
+};
+
+}  // namespace segdf

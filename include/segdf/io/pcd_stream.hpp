@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "segdf/io/atomic_file.hpp"
+#include "segdf/mapping/map_point.hpp"
+
+namespace segdf {
+
+/// Binary PCD file of map points (fields x y z intensity label instance) that is written point by
+/// point, so that a map of any size needs no memory. Appears under its name on finish().
+class PcdStream {
+ public:
+  /// @throws IoError when the file cannot be created
+  explicit PcdStream(const std::filesystem::path& file);
+
+  /// @throws IoError when the disk is full
+  void add(const std::vector<MapPoint>& points);
+  std::size_t size() const { return count_; }
+  /// Writes the count and renames the file into place. @throws IoError
+  void finish();
+
+ private:
+  AtomicFile file_;
+  std::size_t count_ = 0;
+};
+
+/// Calls `visit` for every point of a file that PcdStream wrote, one block at a time.
+/// @throws IoError when it is no such file or ends early
+void forEachPoint(const std::filesystem::path& file,
+                  const std::function<void(const MapPoint&)>& visit);
+
+}  // namespace segdf

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/io/drive_writer.hpp"
+
+#include <iomanip>
+#include <sstream>
+
+#include "segdf/core/semantic_kitti.hpp"
+#include "segdf/io/atomic_file.hpp"
+#include "segdf/io/config_yaml.hpp"
+#include "segdf/io/label_file.hpp"
+#include "segdf/io/top_down_image.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr const char* kStaticMap = "static_map.pcd";
+constexpr const char* kDynamicPoints = "dynamic_points.pcd";
+
+void writeText(const std::filesystem::path& file, const std::string& text) {
+  AtomicFile out(file);
+  out.write(text);
+  out.commit();
+}
+
+std::string labelName(std::size_t index) {
+  std::ostringstream name;
+  name << std::setw(6) << std::setfill('0') << index << ".label";
+  return name.str();
+}
+
+std::vector<std::uint32_t> encodeAll(const std::vector<PointLabel>& labels) {
+  std::vector<std::uint32_t> codes;
+  codes.reserve(labels.size());
+  for (const PointLabel& label : labels) codes.push_back(semantic_kitti::encode(label));
+  return codes;
+}
+
+template <class Wanted>
+std::vector<MapPoint> pointsWhere(const FrameResult& frame, const Wanted& wanted) {
+  std::vector<MapPoint> points;
+  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+    if (!wanted(frame.labels[i].state)) continue;
+    points.push_back(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
+  }
+  return points;
+}
+
+}  // namespace
+
+DriveWriter::DriveWriter(const std::filesystem::path& folder, const Config& config)
+    : config_(config),
+      folder_(folder),
+      static_points_(folder_.staging() / kStaticMap),
+      dynamic_points_(folder_.staging() / kDynamicPoints) {
+  std::filesystem::create_directory(folder_.staging() / "labels");
+  if (config.map.voxel > 0.0) voxel_map_ = std::make_unique<StaticMap>(config.map.voxel);
+}
+
+void DriveWriter::add(const FrameResult& frame) {
+  report_.add(frame);
+  instances_.add(frame);
+  writeLabels(folder_.staging() / "labels" / labelName(frame.index), encodeAll(frame.labels));
+  dynamic_points_.add(
+      pointsWhere(frame, [](PointState state) { return state == PointState::kDynamic; }));
+  if (voxel_map_) {
+    voxel_map_->add(frame);
+  } else {
+    static_points_.add(pointsWhere(frame, isKept));
+  }
+  if (frame.status == FrameStatus::kMapped) {
+    trajectory_.emplace_back(frame.scan.pose.translation().head<2>());
+  }
+}
+
+void DriveWriter::writeInstances() {
+  std::ostringstream csv;
+  csv << "id,parent,class,frames,points,dynamic_points,length,width,height,verdict,static_votes,"
+         "dynamic_votes,fused\n"
+      << std::fixed << std::setprecision(2);
+  const std::vector<InstanceRecord> records = instances_.records();
+  std::size_t removed = 0;
+  for (const InstanceRecord& r : records) {
+    removed += r.isDynamic() ? 1 : 0;
+    csv << r.id << ',' << r.parent << ',' << toString(r.object_class) << ',' << r.frames << ','
+        << r.points << ',' << r.dynamic_points << ',' << r.size.x() << ',' << r.size.y() << ','
+        << r.size.z() << ',' << (r.isDynamic() ? "dynamic" : "static") << ',' << r.static_votes
+        << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << '\n';
+  }
+  writeText(folder_.staging() / "instances.csv", csv.str());
+  report_.setInstances(records.size(), removed);
+}
+
+void DriveWriter::drawMap() const {
+  TopDownImage image(trajectory_);
+  for (const char* name : {kStaticMap, kDynamicPoints}) {
+    forEachPoint(folder_.staging() / name, [&image](const MapPoint& point) { image.add(point); });
+  }
+  image.write(folder_.staging() / "map.png");
+}
+
+void DriveWriter::finish() {
+  if (voxel_map_) static_points_.add(voxel_map_->points());
+  static_points_.finish();
+  dynamic_points_.finish();
+  writeInstances();
+  writeText(folder_.staging() / "config.yaml", toYaml(config_));
+  drawMap();
+  report_.write(folder_.staging() / "report.json");
+  folder_.commit();
+}
+
+}  // namespace segdf

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/io/top_down_image.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <png.h>
+
+#include "segdf/core/semantic_kitti.hpp"
+#include "segdf/io/atomic_file.hpp"
+#include "segdf/io/scan_source.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr double kMargin = 50.0;          // metres around the way
+constexpr double kFinest = 0.05;          // metres a pixel
+constexpr double kLongestSide = 4000.0;   // pixels
+constexpr double kScaleBar = 10.0;        // metres
+constexpr std::size_t kBarThickness = 6;  // pixels
+constexpr double kRangeOfHeights = 6.0;   // metres from darkest to brightest
+
+using Colour = std::array<std::uint8_t, 3>;
+
+// Later kinds cover earlier ones.
+enum Kind : std::uint8_t { kNothing, kGround, kOther, kVegetation, kBuilding, kMovable, kRemoved };
+constexpr std::array<Colour, 7> kColours{{{16, 18, 22},
+                                          {190, 190, 190},
+                                          {170, 165, 200},
+                                          {95, 175, 95},
+                                          {225, 195, 140},
+                                          {80, 170, 255},
+                                          {255, 40, 40}}};
+constexpr Colour kTrajectory{255, 220, 60};
+constexpr Colour kWhite{255, 255, 255};
+
+Kind kindOf(const MapPoint& point) {
+  switch (point.label) {
+    case semantic_kitti::kDynamic:
+      return kRemoved;
+    case semantic_kitti::kRoad:
+      return kGround;
+    case semantic_kitti::kVegetation:
+      return kVegetation;
+    case semantic_kitti::kBuilding:
+      return kBuilding;
+    case semantic_kitti::kCar:
+      return kMovable;
+    default:
+      return kOther;
+  }
+}
+
+/// Intensities come as 0..1 or 0..255.
+double unitIntensity(float intensity) {
+  const auto value = static_cast<double>(intensity);
+  return std::clamp(value > 1.0 ? value / 255.0 : value, 0.0, 1.0);
+}
+
+Colour shaded(std::uint8_t kind, std::uint8_t shade) {
+  Colour colour = kColours[kind];
+  if (kind == kNothing || kind == kRemoved) return colour;
+  for (std::uint8_t& channel : colour) {
+    channel = static_cast<std::uint8_t>(channel * (64 + shade * 3 / 4) / 255);
+  }
+  return colour;
+}
+
+Eigen::AlignedBox2d areaAround(const std::vector<Eigen::Vector2d>& trajectory) {
+  Eigen::AlignedBox2d area;
+  for (const Eigen::Vector2d& place : trajectory) area.extend(place);
+  if (area.isEmpty()) area.extend(Eigen::Vector2d::Zero());
+  area.extend(Eigen::Vector2d(area.min().array() - kMargin));
+  area.extend(Eigen::Vector2d(area.max().array() + kMargin));
+  return area;
+}
+
+void paint(std::vector<std::uint8_t>& rgb, std::size_t pixel, const Colour& colour) {
+  std::copy(colour.begin(), colour.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+}
+
+}  // namespace
+
+TopDownImage::TopDownImage(std::vector<Eigen::Vector2d> trajectory)
+    : trajectory_(std::move(trajectory)),
+      area_(areaAround(trajectory_)),
+      metres_per_pixel_(std::max(kFinest, area_.sizes().maxCoeff() / kLongestSide)),
+      width_(static_cast<std::size_t>(area_.sizes().x() / metres_per_pixel_) + 1),
+      height_(static_cast<std::size_t>(area_.sizes().y() / metres_per_pixel_) + 1),
+      cells_(width_ * height_) {}
+
+std::size_t TopDownImage::pixelAt(double x, double y) const {
+  const Eigen::Vector2d place(x, y);
+  if (!area_.contains(place)) return cells_.size();
+  const auto column = static_cast<std::size_t>((x - area_.min().x()) / metres_per_pixel_);
+  const auto row = static_cast<std::size_t>((area_.max().y() - y) / metres_per_pixel_);
+  return std::min(row, height_ - 1) * width_ + std::min(column, width_ - 1);
+}
+
+void TopDownImage::add(const MapPoint& point) {
+  const std::size_t pixel = pixelAt(static_cast<double>(point.x), static_cast<double>(point.y));
+  if (pixel == cells_.size()) return;
+  Cell& cell = cells_[pixel];
+  const Kind kind = kindOf(point);
+  if (kind < cell.kind || (kind == cell.kind && point.z <= cell.height)) return;
+  cell.kind = kind;
+  cell.height = point.z;
+  if (kind == kGround) {
+    cell.shade = static_cast<std::uint8_t>(80.0 * std::sqrt(unitIntensity(point.intensity)));
+    return;
+  }
+  // Relative to the sensor, whose height is that of the map's origin at the start.
+  const double share = (static_cast<double>(point.z) + 2.0) / kRangeOfHeights;
+  cell.shade = static_cast<std::uint8_t>(95.0 + 160.0 * std::clamp(share, 0.0, 1.0));
+}
+
+void TopDownImage::drawTrajectory(std::vector<std::uint8_t>& rgb) const {
+  for (std::size_t k = 1; k < trajectory_.size(); ++k) {
+    const Eigen::Vector2d way = trajectory_[k] - trajectory_[k - 1];
+    const auto steps = static_cast<std::size_t>(way.norm() / metres_per_pixel_) + 1;
+    for (std::size_t s = 0; s <= steps; ++s) {
+      const Eigen::Vector2d at =
+          trajectory_[k - 1] + way * (static_cast<double>(s) / static_cast<double>(steps));
+      const std::size_t pixel = pixelAt(at.x(), at.y());
+      if (pixel < cells_.size()) paint(rgb, pixel, kTrajectory);
+    }
+  }
+}
+
+void TopDownImage::drawScale(std::vector<std::uint8_t>& rgb) const {
+  const auto length = static_cast<std::size_t>(kScaleBar / metres_per_pixel_);
+  const std::size_t margin = 4 * kBarThickness;
+  if (width_ < length + margin || height_ < margin + kBarThickness) return;
+  for (std::size_t row = height_ - margin; row < height_ - margin + kBarThickness; ++row) {
+    for (std::size_t column = margin; column < margin + length; ++column) {
+      paint(rgb, row * width_ + column, kWhite);
+    }
+  }
+}
+
+void TopDownImage::write(const std::filesystem::path& file) {
+  std::vector<std::uint8_t> rgb(3 * cells_.size());
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    paint(rgb, k, shaded(cells_[k].kind, cells_[k].shade));
+  }
+  drawTrajectory(rgb);
+  drawScale(rgb);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width_);
+  image.height = static_cast<png_uint_32>(height_);
+  image.format = PNG_FORMAT_RGB;
+  AtomicFile out(file);
+  if (png_image_write_to_file(&image, out.temporaryPath().c_str(), 0, rgb.data(), 0, nullptr) ==
+      0) {
+    throw IoError("cannot write " + file.string() + ": " + image.message);
+  }
+  out.commit();
+}
+
+}  // namespace segdf
