@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <sensor_msgs/PointCloud2.h>
+
+/// The columns of a PointCloud2, checked and read whatever their number type.
+namespace segdf {
+
+/// Bytes of one sensor_msgs::PointField datatype; 0 for one that is not defined.
+std::size_t datatypeSize(std::uint8_t datatype);
+
+/// "float32", "uint16", ...; "datatype 42" for one that is not defined.
+std::string datatypeName(std::uint8_t datatype);
+
+/// Appends a field of one number to each (yet to come) point.
+void addField(sensor_msgs::PointCloud2& cloud, const std::string& name, std::uint8_t datatype);
+
+/// The field of that name, or nullptr.
+const sensor_msgs::PointField* findField(const sensor_msgs::PointCloud2& cloud,
+                                         const std::string& name);
+
+/// "x y z i", for messages.
+std::string fieldNames(const sensor_msgs::PointCloud2& cloud);
+
+/// @throws IoError if the numbers are big-endian, or the sizes do not fit each other
+/// @param topic names the cloud in the message
+void checkLayout(const sensor_msgs::PointCloud2& cloud, const std::string& topic);
+
+/// Reads one field of any number type as double.
+class FieldReader {
+ public:
+  /// @param field with a defined datatype, inside the points of `cloud`. Keeps a reference to
+  /// `cloud`.
+  FieldReader(const sensor_msgs::PointCloud2& cloud, const sensor_msgs::PointField& field);
+
+  /// @param index of the point in row-major order, below width * height
+  double operator()(std::size_t index) const;
+
+ private:
+  using Decode = double (*)(const std::uint8_t*);
+
+  const sensor_msgs::PointCloud2& cloud_;
+  std::size_t offset_;
+  Decode decode_;
+};
+
+}  // namespace segdf
