@@ -53,7 +53,7 @@ BagWriter::BagWriter(const std::filesystem::path& file, CloudForm form, bool ove
 }
 
 BagWriter::~BagWriter() {
-  if (!bag_.isOpen()) return;
+  if (finished_) return;
   try {
     bag_.close();
   } catch (const rosbag::BagException&) {
@@ -100,6 +100,7 @@ void BagWriter::finish() {
   try {
     bag_.close();
     std::filesystem::rename(partial_, file_);
+    finished_ = true;
   } catch (const std::exception& error) {
     throw IoError("cannot finish bag '" + file_.string() + "' (" + error.what() +
                   "): check the free space and the rights of the folder");

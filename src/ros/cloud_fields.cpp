@@ -106,13 +106,7 @@ void checkLayout(const sensor_msgs::PointCloud2& cloud, const std::string& topic
   }
 }
 
-FieldReader::FieldReader(const sensor_msgs::PointCloud2& cloud, const PointField& field)
-    : cloud_(cloud), offset_(field.offset), decode_(find(field.datatype)->decode) {}
-
-double FieldReader::operator()(std::size_t index) const {
-  const std::size_t row = index / cloud_.width;
-  const std::size_t column = index % cloud_.width;
-  return decode_(&cloud_.data[row * cloud_.row_step + column * cloud_.point_step + offset_]);
-}
+FieldReader::FieldReader(const PointField& field)
+    : offset_(field.offset), decode_(find(field.datatype)->decode) {}
 
 }  // namespace segdf

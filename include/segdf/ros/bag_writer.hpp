@@ -49,6 +49,7 @@ class BagWriter {
   std::filesystem::path partial_;
   CloudForm form_;
   bool first_ = true;
+  bool finished_ = false;
   std::int64_t offset_ns_ = 0;
   rosbag::Bag bag_;
 };

@@ -33,19 +33,31 @@ void checkLayout(const sensor_msgs::PointCloud2& cloud, const std::string& topic
 /// Reads one field of any number type as double.
 class FieldReader {
  public:
-  /// @param field with a defined datatype, inside the points of `cloud`. Keeps a reference to
-  /// `cloud`.
-  FieldReader(const sensor_msgs::PointCloud2& cloud, const sensor_msgs::PointField& field);
+  /// @param field with a defined datatype
+  explicit FieldReader(const sensor_msgs::PointField& field);
 
-  /// @param index of the point in row-major order, below width * height
-  double operator()(std::size_t index) const;
+  /// @param point first byte of a point that holds the whole field
+  double operator()(const std::uint8_t* point) const { return decode_(point + offset_); }
 
  private:
   using Decode = double (*)(const std::uint8_t*);
 
-  const sensor_msgs::PointCloud2& cloud_;
   std::size_t offset_;
   Decode decode_;
 };
+
+/// Calls `visit(index, first byte)` for every point, row by row. @pre checkLayout() accepts the
+/// cloud
+template <class Visit>
+void forEachPoint(const sensor_msgs::PointCloud2& cloud, const Visit& visit) {
+  std::size_t index = 0;
+  for (std::size_t row = 0; row < cloud.height; ++row) {
+    const std::uint8_t* point = cloud.data.data() + row * cloud.row_step;
+    for (std::size_t column = 0; column < cloud.width; ++column) {
+      visit(index++, point);
+      point += cloud.point_step;
+    }
+  }
+}
 
 }  // namespace segdf

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include "segdf/core/frame_result.hpp"
+
+namespace segdf {
+
+/// A box (namespace "box/<class>") and a text with id and class ("text/<class>") for each instance
+/// of the frame, in the map frame: red if dynamic, green if static. The namespaces let rviz hide a
+/// class. The first marker deletes those of the frame before.
+visualization_msgs::MarkerArray toMarkers(const FrameResult& frame, const std::string& frame_id);
+
+}  // namespace segdf
