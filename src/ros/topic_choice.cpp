@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/ros/topic_choice.hpp"
+
+#include <vector>
+
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include "segdf/io/scan_source.hpp"
+#include "segdf/ros/topics.hpp"
+
+namespace segdf {
+namespace {
+
+std::string withoutSlash(const std::string& topic) {
+  return topic.rfind('/', 0) == 0 ? topic.substr(1) : topic;
+}
+
+TopicTypes::const_iterator find(const TopicTypes& topics, const std::string& name) {
+  auto it = topics.begin();
+  while (it != topics.end() && withoutSlash(it->first) != withoutSlash(name)) ++it;
+  return it;
+}
+
+std::string listOf(const TopicTypes& topics) {
+  std::string list;
+  for (const auto& [name, type] : topics) {
+    list += (list.empty() ? "" : ", ") + name + " (" + type + ")";
+  }
+  return list.empty() ? "none at all" : list;
+}
+
+std::string alternatives(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : " or '") + name + "'";
+  return text;
+}
+
+/// What is looked for.
+struct Wanted {
+  std::string kind;                ///< for messages
+  std::vector<std::string> names;  ///< in order of preference
+  std::string type;
+};
+
+std::string choose(const TopicTypes& topics, const Wanted& wanted, const std::string& where) {
+  for (const std::string& name : wanted.names) {
+    const auto found = find(topics, name);
+    if (found == topics.end()) continue;
+    if (found->second == wanted.type) return found->first;
+    throw IoError(where + ": topic '" + found->first + "' is " + found->second + ", but the " +
+                  wanted.kind + " topic must be " + wanted.type + "; topics: " + listOf(topics));
+  }
+  throw IoError(where + " has no topic " + alternatives(wanted.names) + "; name its " +
+                wanted.kind + " topic, one of: " + listOf(topics));
+}
+
+std::vector<std::string> orDefault(const std::string& wanted, std::vector<std::string> defaults) {
+  return wanted.empty() ? std::move(defaults) : std::vector<std::string>{wanted};
+}
+
+}  // namespace
+
+std::string chooseCloudTopic(const TopicTypes& topics,
+                             const std::string& wanted,
+                             const std::string& where) {
+  refuseFeatureCloud(wanted);
+  return choose(topics,
+                {"cloud", orDefault(wanted, {topics::kRegisteredCloud, topics::kDeskewedCloud}),
+                 ros::message_traits::DataType<sensor_msgs::PointCloud2>::value()},
+                where);
+}
+
+std::string chooseOdometryTopic(const TopicTypes& topics,
+                                const std::string& wanted,
+                                const std::string& where) {
+  return choose(topics,
+                {"odometry", orDefault(wanted, {topics::kOdometry}),
+                 ros::message_traits::DataType<nav_msgs::Odometry>::value()},
+                where);
+}
+
+void refuseFeatureCloud(const std::string& topic) {
+  if (withoutSlash(topic) != withoutSlash(topics::kFeatureCloud)) return;
+  throw IoError(
+      "topic '" + topic + "' holds LIO-SAM's down-sampled corner and surface features, not " +
+      "the sweep: take '" + topics::kRegisteredCloud + "' or '" + topics::kDeskewedCloud + "'");
+}
+
+}  // namespace segdf
