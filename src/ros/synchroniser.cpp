@@ -20,12 +20,12 @@ Synchroniser::Synchroniser(std::size_t queue_size, PairCallback on_pair)
 
 void Synchroniser::addCloud(const CloudPtr& cloud) {
   ++counts_.clouds;
-  pairs_.add<0>(ros::MessageEvent<const sensor_msgs::PointCloud2>(cloud));
+  pairs_.add<0>(ros::MessageEvent<const sensor_msgs::PointCloud2>(cloud, cloud->header.stamp));
 }
 
 void Synchroniser::addOdometry(const OdometryPtr& odometry) {
   ++counts_.poses;
-  pairs_.add<1>(ros::MessageEvent<const nav_msgs::Odometry>(odometry));
+  pairs_.add<1>(ros::MessageEvent<const nav_msgs::Odometry>(odometry, odometry->header.stamp));
 }
 
 void Synchroniser::onPair(const CloudPtr& cloud, const OdometryPtr& odometry) {

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/ros/parameters.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+namespace segdf {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string refusal(const XmlRpcValue& tree) {
+  try {
+    splitParameters(tree);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Parameters, NothingGivenMeansDefaults) {
+  const PrivateParameters parameters = splitParameters(XmlRpcValue());
+  EXPECT_EQ(parameters.node.sensor, "auto");
+  EXPECT_EQ(parameters.node.queue_size, NodeParameters().queue_size);
+  EXPECT_EQ(parameters.config_yaml, "");
+}
+
+TEST(Parameters, NodeParametersAreSplitFromTheConfiguration) {
+  XmlRpcValue tree;
+  tree["sensor"] = "vlp16";
+  tree["threads"] = 3;
+  tree["queue_size"] = 20;
+  tree["map_every"] = 5;
+  tree["ground"]["th_seed"] = 0.25;
+  const PrivateParameters parameters = splitParameters(tree);
+  EXPECT_EQ(parameters.node.sensor, "vlp16");
+  EXPECT_EQ(parameters.node.threads, 3);
+  EXPECT_EQ(parameters.node.queue_size, 20);
+  EXPECT_EQ(parameters.node.map_every, 5);
+  const YAML::Node config = YAML::Load(parameters.config_yaml);
+  EXPECT_EQ(config.size(), 1U);
+  EXPECT_EQ(config["ground"]["th_seed"].as<double>(), 0.25);
+}
+
+TEST(Parameters, YamlKeepsEveryKindOfValue) {
+  XmlRpcValue tree;
+  tree["number"] = 0.1 + 0.2;  // needs 17 digits
+  tree["whole"] = -4;
+  tree["flag"] = true;
+  tree["text"] = "odd: text";
+  tree["list"][0] = 1.5;
+  tree["list"][1] = 2;
+  tree["deep"]["deeper"]["leaf"] = 7;
+  const YAML::Node read = YAML::Load(toYaml(tree));
+  EXPECT_EQ(read["number"].as<double>(), 0.1 + 0.2);
+  EXPECT_EQ(read["whole"].as<int>(), -4);
+  EXPECT_TRUE(read["flag"].as<bool>());
+  EXPECT_EQ(read["text"].as<std::string>(), "odd: text");
+  EXPECT_EQ(read["list"][1].as<double>(), 2.0);
+  EXPECT_EQ(read["deep"]["deeper"]["leaf"].as<int>(), 7);
+}
+
+TEST(Parameters, WrongNodeParametersAreNamedWithValueAndBound) {
+  XmlRpcValue none;
+  none["threads"] = 0;
+  EXPECT_EQ(refusal(none), "parameter threads = 0 must be a whole number in [1, 64]");
+  XmlRpcValue text;
+  text["queue_size"] = "many";
+  EXPECT_EQ(refusal(text), "parameter queue_size = many must be a whole number in [1, 10000]");
+  XmlRpcValue number;
+  number["sensor"] = 64;
+  EXPECT_EQ(refusal(number), "parameter sensor = 64 must be the name of a sensor or auto");
+}
+
+}  // namespace
+}  // namespace segdf
