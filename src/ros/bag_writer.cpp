@@ -3,10 +3,10 @@
 
 #include <limits>
 #include <string>
-#include <system_error>
 
 #include <tf2_msgs/TFMessage.h>
 
+#include "segdf/io/scan_source.hpp"
 #include "segdf/ros/lio_sam_messages.hpp"
 #include "segdf/ros/topics.hpp"
 
@@ -37,30 +37,34 @@ void checkTruth(std::size_t points, std::size_t labels) {
                 " labels: give one for each point, or none");
 }
 
-}  // namespace
+const std::filesystem::path& unlessThere(const std::filesystem::path& file, bool overwrite) {
+  if (overwrite || !std::filesystem::exists(file)) return file;
+  throw IoError("bag '" + file.string() + "' exists: name another one, or give --force");
+}
 
-BagWriter::BagWriter(const std::filesystem::path& file, CloudForm form, bool overwrite)
-    : file_(file), partial_(file.string() + ".partial"), form_(form) {
-  if (!overwrite && std::filesystem::exists(file_)) {
-    throw IoError("bag '" + file_.string() + "' exists: name another one, or give --force");
-  }
+/// rosbag's exceptions as one line for the user.
+template <class Action>
+void orIoError(const Action& action) {
   try {
-    bag_.open(partial_.string(), rosbag::bagmode::Write);
+    action();
   } catch (const rosbag::BagException& error) {
-    throw IoError("cannot write bag '" + partial_.string() + "' (" + error.what() +
-                  "): check that the folder exists and can be written");
+    throw IoError(std::string("cannot write bag (") + error.what() + "): check the free space");
   }
 }
 
+}  // namespace
+
+BagWriter::BagWriter(const std::filesystem::path& file, CloudForm form, bool overwrite)
+    : file_(unlessThere(file, overwrite)), form_(form), bag_(std::make_unique<rosbag::Bag>()) {
+  orIoError([this] { bag_->open(file_.temporaryPath().string(), rosbag::bagmode::Write); });
+}
+
 BagWriter::~BagWriter() {
-  if (finished_) return;
   try {
-    bag_.close();
-  } catch (const rosbag::BagException&) {
-    // The disk is full, most likely. The file goes away all the same.
+    close();
+  } catch (const IoError&) {
+    // The disk is full, most likely. The unfinished file goes away all the same.
   }
-  std::error_code ignored;
-  std::filesystem::remove(partial_, ignored);
 }
 
 void BagWriter::add(const Scan& scan, const std::vector<std::uint32_t>& truth) {
@@ -70,12 +74,7 @@ void BagWriter::add(const Scan& scan, const std::vector<std::uint32_t>& truth) {
   Scan moved = scan;
   moved.stamp_ns += offset_ns_;
   checkStamp(moved.stamp_ns);
-  try {
-    write(moved, truth);
-  } catch (const rosbag::BagException& error) {
-    throw IoError("cannot write bag '" + partial_.string() + "' (" + error.what() +
-                  "): check the free space");
-  }
+  orIoError([&] { write(moved, truth); });
 }
 
 void BagWriter::write(const Scan& scan, const std::vector<std::uint32_t>& truth) {
@@ -84,27 +83,30 @@ void BagWriter::write(const Scan& scan, const std::vector<std::uint32_t>& truth)
   tf2_msgs::TFMessage tf;
   tf.transforms.push_back(toTransform(scan));
   const auto after = [stamp](double delay) { return stamp + ros::Duration(delay); };
-  bag_.write(topics::kTf, after(kOdometryDelay), tf);
-  bag_.write(topics::kOdometry, after(kOdometryDelay), odometry);
+  bag_->write(topics::kTf, after(kOdometryDelay), tf);
+  bag_->write(topics::kOdometry, after(kOdometryDelay), odometry);
   if (form_ == CloudForm::kRegistered) {
-    bag_.write(topics::kRegisteredCloud, after(kCloudDelay), toRegisteredCloud(scan));
+    bag_->write(topics::kRegisteredCloud, after(kCloudDelay), toRegisteredCloud(scan));
   } else {
-    bag_.write(topics::kDeskewedCloud, after(kCloudDelay), toSensorCloud(scan));
+    bag_->write(topics::kDeskewedCloud, after(kCloudDelay), toSensorCloud(scan));
   }
   if (!truth.empty()) {
-    bag_.write(topics::kTruthLabels, after(kTruthDelay), toTruthCloud(scan, truth));
+    bag_->write(topics::kTruthLabels, after(kTruthDelay), toTruthCloud(scan, truth));
   }
 }
 
+void BagWriter::close() {
+  // A bag that cannot be closed tries again in its destructor, where nobody can catch the
+  // exception: it is given up instead.
+  rosbag::Bag* bag = bag_.release();
+  if (bag == nullptr) return;
+  orIoError([bag] { bag->close(); });
+  bag_.reset(bag);
+}
+
 void BagWriter::finish() {
-  try {
-    bag_.close();
-    std::filesystem::rename(partial_, file_);
-    finished_ = true;
-  } catch (const std::exception& error) {
-    throw IoError("cannot finish bag '" + file_.string() + "' (" + error.what() +
-                  "): check the free space and the rights of the folder");
-  }
+  close();
+  file_.commit();
 }
 
 }  // namespace segdf

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <optional>
 
 #include <Eigen/Geometry>
 
@@ -12,6 +11,7 @@
 #include "segdf/io/scan_source.hpp"
 #include "segdf/ros/cloud_fields.hpp"
 #include "segdf/ros/colours.hpp"
+#include "segdf/segmentation/ring_recovery.hpp"
 
 namespace segdf {
 namespace {
@@ -147,7 +147,11 @@ Scan toScan(const PointCloud2& cloud,
   readPositions(cloud, topic, scan);
   if (const PointField* field = timeField(cloud)) readTimes(cloud, *field, scan);
   if (cloud.header.frame_id == odometry.header.frame_id) bringBackToSensor(scan);
-  if (const PointField* field = findField(cloud, "ring")) readRings(cloud, *field, scan);
+  if (const PointField* field = findField(cloud, "ring")) {
+    readRings(cloud, *field, scan);
+  } else {
+    recoverRings(scan.points);
+  }
   return scan;
 }
 

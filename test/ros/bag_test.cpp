@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -7,10 +8,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
-#include <sensor_msgs/Imu.h>
 
 #include "segdf/ros/bag_source.hpp"
 #include "segdf/ros/bag_writer.hpp"
@@ -141,8 +142,39 @@ TEST(BagWriter, FolderThatIsNotThereIsNamed) {
   const test::TempFolder folder;
   const std::string message =
       refusal([&] { BagWriter(folder / "missing/drive.bag", CloudForm::kSensor); });
-  expectContains(message, "missing/drive.bag");
-  expectContains(message, "check that the folder exists");
+  expectContains(message, "missing/drive.bag: No such file or directory");
+}
+
+/// As long as it lives, no file of this process can grow beyond the limit, as if the disk were
+/// full.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(BagWriter, FullDiskIsToldAndLeavesNothing) {
+  const test::TempFolder folder;
+  {
+    const FileSizeLimit limit(1'000'000);
+    BagWriter writer(folder / "drive.bag", CloudForm::kSensor);
+    const std::string message = refusal([&] {
+      for (int k = 0; k < 4; ++k) writer.add(scanOf(k, 60'000));  // 1.3 MB each
+      writer.finish();
+    });
+    expectContains(message, "check the free space");
+  }
+  EXPECT_TRUE(fs::is_empty(folder / ""));
 }
 
 TEST(BagSource, MisspeltTopicListsTheTopicsOfTheBag) {

@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include <rosbag/bag.h>
 
 #include "segdf/core/scan.hpp"
-#include "segdf/io/scan_source.hpp"
+#include "segdf/io/atomic_file.hpp"
 
 namespace segdf {
 
@@ -45,13 +46,13 @@ class BagWriter {
  private:
   void write(const Scan& scan, const std::vector<std::uint32_t>& truth);
 
-  std::filesystem::path file_;
-  std::filesystem::path partial_;
+  void close();
+
+  AtomicFile file_;
   CloudForm form_;
   bool first_ = true;
-  bool finished_ = false;
   std::int64_t offset_ns_ = 0;
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
 };
 
 }  // namespace segdf
