@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes a KITTI folder as a bag such as LIO-SAM would have recorded.
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -12,7 +11,7 @@
 #include "segdf/io/label_file.hpp"
 #include "segdf/ros/bag_writer.hpp"
 
-#include <CLI/CLI.hpp>
+#include "run_app.hpp"
 
 namespace {
 
@@ -75,12 +74,8 @@ int main(int argc, char** argv) {
                "segdf_kitti_to_bag");
   Options options;
   addOptions(app, options);
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return segdf::apps::runApp(app, argc, argv, [&options] {
     convert(options);
-  } catch (const std::exception& error) {
-    std::cerr << "segdf_kitti_to_bag: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+    return static_cast<int>(segdf::apps::kOk);
+  });
 }

@@ -165,11 +165,10 @@ class YamlWriter {
               const std::array<EnumName<Enum>, N>& names,
               const char* meaning) {
     std::string list;
-    std::string chosen;
     for (const EnumName<Enum>& entry : names) {
       list += (list.empty() ? "" : " | ") + std::string(entry.name);
-      if (entry.value == value) chosen = entry.name;
     }
+    std::string chosen = nameOf(value, names);
     // Unquoted, the YAML 1.1 of rosparam reads off as a boolean.
     if (chosen == "off") chosen = "\"off\"";
     text_ << "  " << name << ": " << chosen << "  # " << list << "; " << meaning << "\n";

@@ -25,6 +25,15 @@ struct EnumName {
   const char* name;
 };
 
+/// YAML name of an enumerator.
+template <class Enum, std::size_t N>
+const char* nameOf(Enum value, const std::array<EnumName<Enum>, N>& names) {
+  for (const EnumName<Enum>& entry : names) {
+    if (entry.value == value) return entry.name;
+  }
+  return "";
+}
+
 /// What is left out before anything else, and when a scan becomes a key frame (method.md 1).
 struct InputConfig {
   double min_range = 1.2;

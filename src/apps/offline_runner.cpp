@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "offline_runner.hpp"
+
+#include <array>
+#include <csignal>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+#include "segdf/io/config_yaml.hpp"
+#include "segdf/io/kitti_source.hpp"
+#include "segdf/pipeline/pipeline.hpp"
+#include "segdf/ros/bag_source.hpp"
+#include "segdf/segmentation/sensor_recognition.hpp"
+
+#include "progress.hpp"
+#include "run_app.hpp"
+
+namespace segdf::apps {
+
+namespace {
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+void requestStop(int /*signal*/) { stop_requested = 1; }
+
+std::string metres(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << value << " m";
+  return text.str();
+}
+
+/// Statuses whose scans mean that the input is not what it should be.
+constexpr std::array<FrameStatus, 3> kBadStatuses{FrameStatus::kEmpty, FrameStatus::kInvalidPose,
+                                                  FrameStatus::kTimeBackwards};
+
+}  // namespace
+
+void OfflineRunner::warn(const std::string& message) const {
+  std::cerr << "warning: " << message << '\n';
+}
+
+std::unique_ptr<ScanSource> OfflineRunner::openSource() const {
+  if (!options_.bag.empty()) {
+    auto bag = std::make_unique<BagSource>(
+        options_.bag, BagTopics{options_.cloud_topic, options_.odometry_topic});
+    if (bag->unmatched() > 0) {
+      warn(std::to_string(bag->unmatched()) + " clouds on " + bag->topics().cloud +
+           " have no pose of the same stamp on " + bag->topics().odometry + " and are left out");
+    }
+    return bag;
+  }
+  auto folder = std::make_unique<KittiSource>(options_.kitti, options_.rate);
+  if (folder->timesAssumed()) {
+    warn("no times.txt in " + options_.kitti.string() + ": " + formatNumber(options_.rate) +
+         " scans a second assumed; set --rate if that is wrong");
+  }
+  return folder;
+}
+
+Config OfflineRunner::configure(const std::optional<Scan>& first) {
+  sensor_ = options_.sensor;
+  if (sensor_.empty()) {
+    const SensorGuess guess = recogniseSensor(first.value_or(Scan{}));
+    sensor_ = guess.name;
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << "sensor " << sensor_ << " (" << guess.beams
+         << " lasers from " << guess.elevation_min << " to " << guess.elevation_max << " deg)";
+    if (guess.certain) {
+      std::cerr << "recognised " << text.str() << '\n';
+    } else {
+      warn("unknown sensor; the nearest is taken: " + text.str() + "; set --sensor or --config");
+    }
+  }
+  Config config = sensorConfig(sensor_);
+  if (!options_.config.empty()) applyYamlFile(config, options_.config);
+  if (!options_.mode.empty()) applyYaml(config, "df: {mode: " + options_.mode + "}", "--mode");
+  return config;
+}
+
+/// The next scan; when the input breaks off, the reason is kept for the end and the drive is over.
+std::optional<Scan> OfflineRunner::nextScan(ScanSource& source) {
+  if (stop_requested != 0) return std::nullopt;
+  try {
+    return source.next();
+  } catch (const IoError& error) {
+    break_off_ = error.what();
+    return std::nullopt;
+  }
+}
+
+void OfflineRunner::filter(ScanSource& source,
+                           std::optional<Scan> scan,
+                           DriveWriter& writer,
+                           const Config& config) {
+  Pipeline pipeline(config, options_.threads);
+  Progress progress(source.size());
+  for (std::size_t done = 1; scan; scan = nextScan(source), ++done) {
+    for (const FrameResult& frame : pipeline.process(std::move(*scan))) writer.add(frame);
+    progress.show(done);
+  }
+  for (const FrameResult& frame : pipeline.flush()) writer.add(frame);
+  progress.finish();
+}
+
+int OfflineRunner::finish(DriveWriter& writer, const Config& config) {
+  const RunReport& report = writer.report();
+  int code = kOk;
+  for (FrameStatus status : kBadStatuses) {
+    if (report.count(status) == 0) continue;
+    warn(std::to_string(report.count(status)) + " scans left out: " + toString(status) +
+         " (the first is scan " + std::to_string(report.firstOf(status)) + ")");
+    if (status != FrameStatus::kEmpty) code = kPartial;
+  }
+  if (report.nonFinitePoints() > 0) {
+    warn(std::to_string(report.nonFinitePoints()) +
+         " points with NaN or infinite coordinates ignored");
+  }
+  if (report.medianMisfit() > config.input.max_misfit) {
+    warn("poses do not fit the scans: consecutive scans disagree by " +
+         metres(report.medianMisfit()) +
+         " (median; more than input.max_misfit = " + metres(config.input.max_misfit) +
+         "); check that poses belong to these scans and to the lidar, not to camera or base");
+  }
+  writer.finish();
+  std::cout << report.summary() << "results in " << options_.output.string() << '\n';
+  if (!break_off_.empty()) {
+    std::cerr << "error: " << break_off_ << " (the " << report.frames()
+              << " scans before it are saved)\n";
+    return kPartial;
+  }
+  return stop_requested != 0 ? static_cast<int>(kStopped) : code;
+}
+
+int OfflineRunner::run() {
+  std::signal(SIGINT, requestStop);
+  std::signal(SIGTERM, requestStop);
+  const std::unique_ptr<ScanSource> source = openSource();
+  std::optional<Scan> first = nextScan(*source);
+  if (!first && !break_off_.empty()) throw IoError(break_off_);
+  if (!first) throw IoError("no scan in " + source->describe());
+  const Config config = configure(first);
+  DriveWriter writer(options_.output, config);
+  writer.report().setSetting({source->describe(), sensor_,
+                              nameOf(config.df.mode, DynamicConfig::kModes), options_.threads});
+  try {
+    filter(*source, std::move(first), writer, config);
+    return finish(writer, config);
+  } catch (const IoError& error) {
+    throw IoError(std::string(error.what()) + " (what was computed is in " +
+                  writer.staging().string() + ")");
+  }
+}
+
+}  // namespace segdf::apps
