@@ -6,6 +6,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "segdf/io/config_yaml.hpp"
+
 namespace segdf {
 namespace {
 
@@ -97,6 +99,12 @@ PrivateParameters splitParameters(const XmlRpcValue& tree) {
   }
   if (rest.valid()) parameters.config_yaml = toYaml(rest);
   return parameters;
+}
+
+Config makeConfig(const std::string& sensor, const std::string& config_yaml) {
+  Config config = sensorConfig(sensor);
+  if (!config_yaml.empty()) applyYaml(config, config_yaml, "private parameters");
+  return config;
 }
 
 std::string toYaml(const XmlRpcValue& tree) {

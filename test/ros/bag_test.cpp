@@ -2,7 +2,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -19,12 +18,15 @@
 #include "segdf/ros/topics.hpp"
 
 #include "ros/sample_scan.hpp"
-#include "ros/temp_folder.hpp"
+#include "support/expect_error.hpp"
+#include "support/temp_folder.hpp"
 
 namespace segdf {
 namespace {
 
 namespace fs = std::filesystem;
+using test::contains;
+using test::errorOf;
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 
@@ -40,21 +42,8 @@ void writeDrive(const fs::path& file, CloudForm form, int scans, std::size_t poi
   writer.finish();
 }
 
-std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 std::string openRefusal(const fs::path& file, const BagTopics& topics = {}) {
-  return refusal([&] { BagSource source(file, topics); });
-}
-
-void expectContains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' is not in: " << text;
+  return errorOf([&] { BagSource source(file, topics); });
 }
 
 class BagRoundTrip : public ::testing::TestWithParam<CloudForm> {};
@@ -108,19 +97,23 @@ TEST(BagWriter, DriveFromStampZeroIsMovedAsAWhole) {
 TEST(BagWriter, StampThatIsNoRosTimeIsRefused) {
   const test::TempFolder folder;
   BagWriter writer(folder / "drive.bag", CloudForm::kSensor);
-  expectContains(refusal([&] { writer.add(test::sampleScan(5, -5)); }), "stamp of -5 ns");
+  EXPECT_TRUE(contains(errorOf([&] { writer.add(test::sampleScan(5, -5)); }), "stamp of -5 ns"));
 }
 
 TEST(BagWriter, LabelsThatDoNotFitThePointsAreRefused) {
   const test::TempFolder folder;
   BagWriter writer(folder / "drive.bag", CloudForm::kSensor);
-  expectContains(refusal([&] { writer.add(scanOf(0), {1, 2, 3}); }), "50 points has 3 labels");
+  EXPECT_TRUE(contains(errorOf([&] {
+                         writer.add(scanOf(0), {1, 2, 3});
+                       }),
+                       "50 points has 3 labels"));
 }
 
 TEST(BagWriter, ExistingBagStaysUnlessOverwritten) {
   const test::TempFolder folder;
   writeDrive(folder / "drive.bag", CloudForm::kSensor, 1);
-  expectContains(refusal([&] { BagWriter(folder / "drive.bag", CloudForm::kSensor); }), "--force");
+  EXPECT_TRUE(
+      contains(errorOf([&] { BagWriter(folder / "drive.bag", CloudForm::kSensor); }), "--force"));
   BagWriter writer(folder / "drive.bag", CloudForm::kSensor, true);
   writer.add(scanOf(0));
   writer.add(scanOf(1));
@@ -135,14 +128,14 @@ TEST(BagWriter, UnfinishedBagLeavesNothing) {
     BagWriter writer(folder / "drive.bag", CloudForm::kSensor);
     writer.add(scanOf(0));
   }
-  EXPECT_TRUE(fs::is_empty(folder / ""));
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST(BagWriter, FolderThatIsNotThereIsNamed) {
   const test::TempFolder folder;
   const std::string message =
-      refusal([&] { BagWriter(folder / "missing/drive.bag", CloudForm::kSensor); });
-  expectContains(message, "missing/drive.bag: No such file or directory");
+      errorOf([&] { BagWriter(folder / "missing/drive.bag", CloudForm::kSensor); });
+  EXPECT_TRUE(contains(message, "missing/drive.bag: No such file or directory"));
 }
 
 /// As long as it lives, no file of this process can grow beyond the limit, as if the disk were
@@ -168,23 +161,22 @@ TEST(BagWriter, FullDiskIsToldAndLeavesNothing) {
   {
     const FileSizeLimit limit(1'000'000);
     BagWriter writer(folder / "drive.bag", CloudForm::kSensor);
-    const std::string message = refusal([&] {
+    const std::string message = errorOf([&] {
       for (int k = 0; k < 4; ++k) writer.add(scanOf(k, 60'000));  // 1.3 MB each
       writer.finish();
     });
-    expectContains(message, "check the free space");
+    EXPECT_TRUE(contains(message, "check the free space"));
   }
-  EXPECT_TRUE(fs::is_empty(folder / ""));
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST(BagSource, MisspeltTopicListsTheTopicsOfTheBag) {
   const test::TempFolder folder;
   writeDrive(folder / "drive.bag", CloudForm::kSensor, 1);
   const std::string message = openRefusal(folder / "drive.bag", {"/points_raw", ""});
-  expectContains(message, "has no topic '/points_raw'");
-  expectContains(message, "/lio_sam/deskew/cloud_deskewed (sensor_msgs/PointCloud2)");
-  expectContains(message, "/lio_sam/mapping/odometry (nav_msgs/Odometry)");
-  EXPECT_EQ(message.find('\n'), std::string::npos);
+  EXPECT_TRUE(contains(message, "has no topic '/points_raw'"));
+  EXPECT_TRUE(contains(message, "/lio_sam/deskew/cloud_deskewed (sensor_msgs/PointCloud2)"));
+  EXPECT_TRUE(contains(message, "/lio_sam/mapping/odometry (nav_msgs/Odometry)"));
 }
 
 TEST(BagSource, SlashBeforeTheTopicDoesNotMatter) {
@@ -197,8 +189,9 @@ TEST(BagSource, SlashBeforeTheTopicDoesNotMatter) {
 TEST(BagSource, TopicOfAnotherTypeSaysSo) {
   const test::TempFolder folder;
   writeDrive(folder / "drive.bag", CloudForm::kSensor, 1);
-  expectContains(openRefusal(folder / "drive.bag", {topics::kOdometry, ""}),
-                 "is nav_msgs/Odometry, but the cloud topic must be sensor_msgs/PointCloud2");
+  EXPECT_TRUE(
+      contains(openRefusal(folder / "drive.bag", {topics::kOdometry, ""}),
+               "is nav_msgs/Odometry, but the cloud topic must be sensor_msgs/PointCloud2"));
 }
 
 TEST(BagSource, FeatureCloudIsRefusedWithTheRightOnes) {
@@ -206,9 +199,9 @@ TEST(BagSource, FeatureCloudIsRefusedWithTheRightOnes) {
   writeDrive(folder / "drive.bag", CloudForm::kSensor, 1);
   const std::string message =
       openRefusal(folder / "drive.bag", {"lio_sam/mapping/cloud_registered", ""});
-  expectContains(message, "features");
-  expectContains(message, topics::kRegisteredCloud);
-  expectContains(message, topics::kDeskewedCloud);
+  EXPECT_TRUE(contains(message, "features"));
+  EXPECT_TRUE(contains(message, topics::kRegisteredCloud));
+  EXPECT_TRUE(contains(message, topics::kDeskewedCloud));
 }
 
 /// Writes messages at receipt times that have nothing to do with their stamps.
@@ -259,17 +252,18 @@ TEST_F(BagWithOddities, ChangeOfTheOdometryFrameIsRefused) {
   other.header.frame_id = "map";
   bag_.write("/pose", ros::Time(2.0), other);
   cloud(1.0, 0);
-  expectContains(refusal([&] { close(); }), "changes its frame from 'odom' to 'map'");
+  EXPECT_TRUE(contains(errorOf([&] { close(); }), "changes its frame from 'odom' to 'map'"));
 }
 
 TEST(BagSource, MissingBagIsNamed) {
-  expectContains(openRefusal("/nowhere/drive.bag"), "bag '/nowhere/drive.bag' does not exist");
+  EXPECT_TRUE(
+      contains(openRefusal("/nowhere/drive.bag"), "bag '/nowhere/drive.bag' does not exist"));
 }
 
 TEST(BagSource, FileThatIsNoBagIsRefused) {
   const test::TempFolder folder;
   std::ofstream(folder / "text.bag") << "not a bag\n";
-  expectContains(openRefusal(folder / "text.bag"), "cannot read bag");
+  EXPECT_TRUE(contains(openRefusal(folder / "text.bag"), "cannot read bag"));
 }
 
 TEST(BagSource, TruncatedBagAsksForReindex) {
@@ -278,8 +272,7 @@ TEST(BagSource, TruncatedBagAsksForReindex) {
   writeDrive(file, CloudForm::kSensor, 3);
   fs::resize_file(file, fs::file_size(file) * 2 / 3);
   const std::string message = openRefusal(file);
-  expectContains(message, "rosbag reindex " + file.string());
-  EXPECT_EQ(message.find('\n'), std::string::npos);
+  EXPECT_TRUE(contains(message, "rosbag reindex " + file.string()));
 }
 
 /// Spoils the record of the last cloud; the index at the end of the bag stays.
@@ -302,7 +295,7 @@ TEST(BagSource, BagThatBreaksOffGivesWhatIsReadableAndThenSaysSo) {
   BagSource source(file);
   EXPECT_EQ(source.size(), 3U);
   for (int k = 0; k < 3; ++k) EXPECT_EQ(source.next()->stamp_ns, scanOf(k).stamp_ns);
-  expectContains(refusal([&] { source.next(); }), "cannot read bag '" + file.string() + "'");
+  EXPECT_TRUE(contains(errorOf([&] { source.next(); }), "cannot read bag '" + file.string() + "'"));
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "segdf/io/scan_source.hpp"
 #include "segdf/ros/cloud_fields.hpp"
 #include "segdf/ros/lio_sam_messages.hpp"
 
 #include "ros/sample_scan.hpp"
+#include "support/expect_error.hpp"
 
 namespace segdf {
 namespace {
@@ -22,14 +22,9 @@ using sensor_msgs::PointField;
 
 constexpr std::int64_t kStamp = 1'500'000'000'123'456'789;
 
-/// The message of the IoError that reading the cloud throws; empty if it throws none.
+/// The line that reading the cloud fails with; empty if it does not.
 std::string refusal(const PointCloud2& cloud) {
-  try {
-    toScan(cloud, toOdometry(test::sampleScan(1, kStamp)), "/points");
-  } catch (const IoError& error) {
-    return error.what();
-  }
-  return "";
+  return test::errorOf([&] { toScan(cloud, toOdometry(test::sampleScan(1, kStamp)), "/points"); });
 }
 
 /// A cloud of one point at (1, 2, 3) m with an intensity, and perhaps another field, of any type.

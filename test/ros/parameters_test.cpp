@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "segdf/io/config_yaml.hpp"
+
+#include "support/expect_error.hpp"
+
 namespace segdf {
 namespace {
 
@@ -73,6 +77,29 @@ TEST(Parameters, WrongNodeParametersAreNamedWithValueAndBound) {
   XmlRpcValue number;
   number["sensor"] = 64;
   EXPECT_EQ(refusal(number), "parameter sensor = 64 must be the name of a sensor or auto");
+}
+
+TEST(Parameters, ConfigurationLiesOnTopOfTheSensors) {
+  XmlRpcValue tree;
+  tree["ground"]["th_seed"] = 0.35;
+  const Config config = makeConfig("vlp16", splitParameters(tree).config_yaml);
+  EXPECT_EQ(config.ground.th_seed, 0.35);
+  EXPECT_EQ(config.range_image.beams, 16);
+  EXPECT_EQ(makeConfig("vlp16", "").ground.th_seed, sensorConfig("vlp16").ground.th_seed);
+}
+
+TEST(Parameters, UnknownKeysAndSensorsAreRefused) {
+  XmlRpcValue key;
+  key["ground"]["th_sead"] = 0.35;
+  const std::string of_key =
+      test::errorOf([&] { makeConfig("vlp16", splitParameters(key).config_yaml); });
+  EXPECT_TRUE(test::contains(of_key, "private parameters"));
+  EXPECT_TRUE(test::contains(of_key, "ground.th_sead"));
+  XmlRpcValue top;
+  top["queue_sice"] = 5;
+  EXPECT_TRUE(test::contains(
+      test::errorOf([&] { makeConfig("vlp16", splitParameters(top).config_yaml); }), "queue_sice"));
+  EXPECT_TRUE(test::contains(test::errorOf([] { makeConfig("vlp_16", ""); }), "vlp_16"));
 }
 
 }  // namespace

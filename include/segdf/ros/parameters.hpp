@@ -5,11 +5,15 @@
 
 #include <XmlRpcValue.h>
 
+#include "segdf/core/config.hpp"
+
 namespace segdf {
 
 /// What the nodelet is told beside the method's configuration.
 struct NodeParameters {
-  std::string sensor = "auto";  ///< file in cfg/sensors, or "auto": recognised on the first scan
+  static constexpr const char* kAutoSensor = "auto";
+
+  std::string sensor = kAutoSensor;  ///< file in cfg/sensors, or recognised on the first scan
   int threads = 2;       ///< worker threads of the pipeline, 1 to 64; no influence on results
   int queue_size = 100;  ///< scans that may wait, 1 to 10000
   int map_every = 10;    ///< frames between two messages on ~static_map, 1 to 10000
@@ -24,6 +28,11 @@ struct PrivateParameters {
 /// @param tree the node's private namespace: a struct, or nothing at all
 /// @throws std::invalid_argument naming the parameter, its value and its bound
 PrivateParameters splitParameters(const XmlRpc::XmlRpcValue& tree);
+
+/// The sensor's configuration with the given parameters on top.
+/// @param config_yaml of PrivateParameters
+/// @throws IoError if the sensor or a parameter is unknown, or a value is out of bounds
+Config makeConfig(const std::string& sensor, const std::string& config_yaml);
 
 /// A parameter tree as YAML text; numbers keep all their digits.
 std::string toYaml(const XmlRpc::XmlRpcValue& tree);

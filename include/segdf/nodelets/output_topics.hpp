@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <std_msgs/Header.h>
+
+#include "segdf/core/frame_result.hpp"
+#include "segdf/mapping/map_point.hpp"
+
+namespace segdf {
+
+/// What the nodelet publishes in its private namespace: static_cloud, dynamic_cloud,
+/// labelled_cloud, markers, and the latched static_map. Nothing is made for a topic to which nobody
+/// listens.
+class OutputTopics {
+ public:
+  /// @param queue_size messages that may wait for a slow subscriber
+  /// @param on_map_viewer called, in a ROS thread, when somebody subscribes to the map
+  OutputTopics(ros::NodeHandle& node, int queue_size, const std::function<void()>& on_map_viewer);
+
+  /// @param frame_id of the map frame
+  void publish(const FrameResult& frame, const std::string& frame_id);
+
+  bool mapHasViewers() const { return static_map_.getNumSubscribers() > 0; }
+  void publishMap(const std::vector<MapPoint>& points, const std_msgs::Header& header);
+
+ private:
+  ros::Publisher static_cloud_;
+  ros::Publisher dynamic_cloud_;
+  ros::Publisher labelled_cloud_;
+  ros::Publisher markers_;
+  ros::Publisher static_map_;
+};
+
+}  // namespace segdf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/nodelets/output_topics.hpp"
+
+#include <boost/make_shared.hpp>
+
+#include <sensor_msgs/PointCloud2.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "segdf/ros/conversions.hpp"
+#include "segdf/ros/markers.hpp"
+
+namespace segdf {
+namespace {
+
+using sensor_msgs::PointCloud2;
+
+/// As a shared pointer, so that nodelets in the same manager get it without a copy.
+template <class Message>
+void publishShared(const ros::Publisher& publisher, Message message) {
+  publisher.publish(boost::make_shared<const Message>(std::move(message)));
+}
+
+void publishCloud(const ros::Publisher& publisher,
+                  const FrameResult& frame,
+                  const std::string& frame_id,
+                  CloudKind kind) {
+  if (publisher.getNumSubscribers() == 0) return;
+  publishShared(publisher, toCloud(frame, frame_id, kind));
+}
+
+}  // namespace
+
+OutputTopics::OutputTopics(ros::NodeHandle& node,
+                           int queue_size,
+                           const std::function<void()>& on_map_viewer) {
+  const auto size = static_cast<std::uint32_t>(queue_size);
+  static_cloud_ = node.advertise<PointCloud2>("static_cloud", size);
+  dynamic_cloud_ = node.advertise<PointCloud2>("dynamic_cloud", size);
+  labelled_cloud_ = node.advertise<PointCloud2>("labelled_cloud", size);
+  markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", size);
+  const auto connected = [on_map_viewer](const ros::SingleSubscriberPublisher&) {
+    on_map_viewer();
+  };
+  static_map_ = node.advertise<PointCloud2>(
+      "static_map", 1, connected, ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
+}
+
+void OutputTopics::publish(const FrameResult& frame, const std::string& frame_id) {
+  publishCloud(static_cloud_, frame, frame_id, CloudKind::kStatic);
+  publishCloud(dynamic_cloud_, frame, frame_id, CloudKind::kDynamic);
+  publishCloud(labelled_cloud_, frame, frame_id, CloudKind::kLabelled);
+  if (markers_.getNumSubscribers() > 0) publishShared(markers_, toMarkers(frame, frame_id));
+}
+
+void OutputTopics::publishMap(const std::vector<MapPoint>& points, const std_msgs::Header& header) {
+  publishShared(static_map_, toCloud(points, header));
+}
+
+}  // namespace segdf
