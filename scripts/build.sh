@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Installs, configures and builds: build.sh [cmake target ...]. Sourced variables: none; the build is in build/.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+"$root/scripts/setup.sh"
+# ROS tools are written for the system's Python.
+export PATH="/usr/bin:$PATH"
+
+# Two compilers at a time need about 3 GB.
+jobs=$(nproc)
+cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release >"$root/build.log" 2>&1 || {
+  cat "$root/build.log" >&2
+  exit 1
+}
+mv "$root/build.log" "$root/build/configure.log"
+targets=()
+for target in "$@"; do targets+=(--target "$target"); done
+cmake --build "$root/build" -j "$jobs" "${targets[@]}" | grep -E 'error|Error|Built target segdf' || true
+exit "${PIPESTATUS[0]}"

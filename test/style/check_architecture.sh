@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Includes follow the house (docs/architecture.md): each room uses those before it in the flow, and ROS, PCL and
+# other libraries stay in their rooms.
+set -euo pipefail
+cd "$1"
+status=0
+
+# check ROOM 'allowed segdf rooms' 'forbidden foreign headers (regex)'
+check() {
+  local room=$1 allowed=$2 forbidden=$3 files
+  files=$(find "include/segdf/$room" "src/$room" -name '*.hpp' -o -name '*.cpp')
+  local bad
+  bad=$(grep -HnE '#include "segdf/' $files | grep -vE "#include \"segdf/(${allowed// /|})/" || true)
+  bad+=$(grep -HnE "#include [<\"]($forbidden)" $files || true)
+  [ -z "$bad" ] || { printf '%s may not include:\n%s\n' "$room" "$bad"; status=1; }
+}
+
+ros='ros/|rosbag/|nodelet/|pluginlib/|tf2|message_filters/|[a-z_]*_msgs/|std_srvs/|pcl_ros/|pcl_conversions/'
+outside="$ros|pcl/|yaml-cpp/|nlohmann/|png|embree3/|CLI/"
+check core 'core' "$outside"
+check segmentation 'core segmentation' "$outside"
+check classification 'core segmentation classification' "$outside"
+check dynamics 'core segmentation classification dynamics' "$outside"
+check mapping 'core mapping' "$outside"
+check pipeline 'core segmentation classification dynamics pipeline' "$outside"
+check evaluation 'core evaluation' "$outside"
+check simulation 'core simulation' "$ros|pcl/|yaml-cpp/|nlohmann/|png|CLI/"
+check io 'core segmentation mapping io' "$ros|embree3/|CLI/"
+check ros 'core segmentation mapping io ros' 'embree3/|CLI/'
+check nodelets 'core segmentation mapping pipeline io ros nodelets' 'embree3/|CLI/'
+exit $status
