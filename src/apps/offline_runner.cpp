@@ -148,6 +148,7 @@ int OfflineRunner::run() {
     filter(*source, std::move(first), writer, config);
     return finish(writer, config);
   } catch (const IoError& error) {
+    writer.salvage();
     throw IoError(std::string(error.what()) + " (what was computed is in " +
                   writer.staging().string() + ")");
   }

@@ -14,6 +14,8 @@ namespace fs = std::filesystem;
 AtomicFile::AtomicFile(fs::path target)
     : target_(std::move(target)), temporary_(target_.string() + ".partial") {
   errno = 0;
+  // Writes come in large blocks: without a buffer a full disk is told by the write that meets it.
+  stream_.rdbuf()->pubsetbuf(nullptr, 0);
   stream_.open(temporary_, std::ios::binary | std::ios::trunc);
   check("create");
 }
@@ -38,13 +40,12 @@ void AtomicFile::write(const void* data, std::size_t bytes) {
 }
 
 void AtomicFile::rewriteStart(const std::string& text) {
+  stream_.clear();  // the start can be written even where the end did not fit
   stream_.seekp(0);
   write(text);
 }
 
 void AtomicFile::commit() {
-  stream_.flush();
-  check("write");
   stream_.close();
   check("close");
   std::error_code error;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/io/drive_writer.hpp"
 
+#include <exception>
 #include <iomanip>
 #include <sstream>
 
@@ -97,6 +98,16 @@ void DriveWriter::drawMap() const {
     forEachPoint(folder_.staging() / name, [&image](const MapPoint& point) { image.add(point); });
   }
   image.write(folder_.staging() / "map.png");
+}
+
+void DriveWriter::salvage() noexcept {
+  for (PcdStream* points : {&static_points_, &dynamic_points_}) {
+    try {
+      points->finish();
+    } catch (const std::exception&) {  // the failure that led here has been told already
+      continue;
+    }
+  }
 }
 
 void DriveWriter::finish() {

@@ -30,7 +30,9 @@ std::string header(std::size_t count) {
 
 }  // namespace
 
-PcdStream::PcdStream(const std::filesystem::path& file) : file_(file) { file_.write(header(0)); }
+PcdStream::PcdStream(const std::filesystem::path& file) : path_(file), file_(file) {
+  file_.write(header(0));
+}
 
 void PcdStream::add(const std::vector<MapPoint>& points) {
   file_.write(points.data(), points.size() * sizeof(MapPoint));
@@ -40,6 +42,7 @@ void PcdStream::add(const std::vector<MapPoint>& points) {
 void PcdStream::finish() {
   file_.rewriteStart(header(count_));
   file_.commit();
+  std::filesystem::resize_file(path_, kHeaderBytes + count_ * sizeof(MapPoint));
 }
 
 void forEachPoint(const std::filesystem::path& file,

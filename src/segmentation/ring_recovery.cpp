@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace segdf {
@@ -89,18 +88,22 @@ void measureElevations(const std::vector<Point>& points, Cut& cut) {
   }
 }
 
-/// The cut with the most even rings.
+/// The cut with the fewest rings, since a wrong start cuts one ring more, and of these the most
+/// even one.
 Cut bestCut(const std::vector<Point>& points) {
   const double direction = sweepDirection(points);
   std::vector<double> starts{0.0, kPi / 2.0, kPi, -kPi / 2.0};
   const auto first = std::find_if(points.begin(), points.end(), isFinite);
   if (first != points.end()) starts.push_back(azimuth(*first) - direction * kStartMargin);
   Cut best;
-  best.scatter = std::numeric_limits<double>::infinity();
+  std::pair<std::size_t, double> least{~std::size_t{0}, 0.0};
   for (double start : starts) {
     Cut cut = cutAt(points, start, direction);
     measureElevations(points, cut);
-    if (cut.scatter < best.scatter) best = std::move(cut);
+    const std::pair<std::size_t, double> cost{cut.elevations.size(), cut.scatter};
+    if (cost >= least) continue;
+    least = cost;
+    best = std::move(cut);
   }
   return best;
 }

@@ -22,7 +22,7 @@ class AtomicFile {
   /// Appends bytes. @throws IoError
   void write(const void* data, std::size_t bytes);
   void write(const std::string& text) { write(text.data(), text.size()); }
-  /// Overwrites the first bytes of the file. @throws IoError
+  /// Overwrites the first bytes of the file, also after a write that failed. @throws IoError
   void rewriteStart(const std::string& text);
   /// Where the bytes are until commit(), for libraries that write files themselves.
   const std::filesystem::path& temporaryPath() const { return temporary_; }

@@ -33,6 +33,8 @@ class DriveWriter {
   void finish();
 
   RunReport& report() { return report_; }
+  /// After a failure: makes the maps in the staging folder whole, as far as they were written.
+  void salvage() noexcept;
   /// Where results are until finish().
   const std::filesystem::path& staging() const { return folder_.staging(); }
 

@@ -21,10 +21,12 @@ class PcdStream {
   /// @throws IoError when the disk is full
   void add(const std::vector<MapPoint>& points);
   std::size_t size() const { return count_; }
-  /// Writes the count and renames the file into place. @throws IoError
+  /// Writes the count and renames the file into place. After an add() that failed, the file holds
+  /// the points of those that did not. @throws IoError
   void finish();
 
  private:
+  std::filesystem::path path_;
   AtomicFile file_;
   std::size_t count_ = 0;
 };
