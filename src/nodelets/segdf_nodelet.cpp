@@ -15,6 +15,10 @@ namespace segdf {
 namespace {
 
 constexpr double kWatchPeriod = 5.0;  // seconds
+// Messages that may wait for a ROS thread, or for their other half. These threads do next to
+// nothing, so that this is never reached; the queue that can run full is the worker's, which
+// counts.
+constexpr std::uint32_t kIncoming = 100;
 
 /// Wrong parameters are told at the start, not when the first scan has shown the sensor.
 void checkParameters(const PrivateParameters& parameters) {
@@ -57,14 +61,13 @@ void SegdfNodelet::start() {
 }
 
 void SegdfNodelet::subscribe() {
-  const int queue_size = parameters_.queue_size;
   pairs_ = std::make_unique<Synchroniser>(
-      queue_size, [this](const sensor_msgs::PointCloud2ConstPtr& cloud,
-                         const nav_msgs::OdometryConstPtr& odometry) { enqueue(cloud, odometry); });
+      kIncoming, [this](const sensor_msgs::PointCloud2ConstPtr& cloud,
+                        const nav_msgs::OdometryConstPtr& odometry) { enqueue(cloud, odometry); });
   ros::NodeHandle& node = getNodeHandle();
   odometry_subscriber_ =
-      node.subscribe("odometry", queue_size, &Synchroniser::addOdometry, pairs_.get());
-  cloud_subscriber_ = node.subscribe("cloud", queue_size, &Synchroniser::addCloud, pairs_.get());
+      node.subscribe("odometry", kIncoming, &Synchroniser::addOdometry, pairs_.get());
+  cloud_subscriber_ = node.subscribe("cloud", kIncoming, &Synchroniser::addCloud, pairs_.get());
   watch_timer_ = node.createWallTimer(ros::WallDuration(kWatchPeriod),
                                       [this](const ros::WallTimerEvent&) { watch(); });
   // It waits for the worker, and must not keep the messages waiting: hence the other queue.

@@ -15,7 +15,7 @@ struct NodeParameters {
 
   std::string sensor = kAutoSensor;  ///< file in cfg/sensors, or recognised on the first scan
   int threads = 2;       ///< worker threads of the pipeline, 1 to 64; no influence on results
-  int queue_size = 100;  ///< scans that may wait, 1 to 10000
+  int queue_size = 100;  ///< scans that may wait for the filter, 1 to 10000
   int map_every = 10;    ///< frames between two messages on ~static_map, 1 to 10000
 };
 
