@@ -9,11 +9,11 @@ export PATH="/usr/bin:$PATH"
 
 # Two compilers at a time need about 3 GB.
 jobs=$(nproc)
-cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release >"$root/build.log" 2>&1 || {
-  cat "$root/build.log" >&2
+mkdir -p "$root/build"
+cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release >"$root/build/configure.log" 2>&1 || {
+  cat "$root/build/configure.log" >&2
   exit 1
 }
-mv "$root/build.log" "$root/build/configure.log"
 targets=()
 for target in "$@"; do targets+=(--target "$target"); done
 cmake --build "$root/build" -j "$jobs" "${targets[@]}" | grep -E 'error|Error|Built target segdf' || true
