@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
-#include <utility>
+#include <limits>
 
 #include <Eigen/Eigenvalues>
+
+#include "segdf/segmentation/moments.hpp"
 
 namespace segdf {
 
@@ -19,29 +20,12 @@ constexpr double kNoExtent = 1e-9;        // m^2
 constexpr float kVerticalNormal = 0.35F;  // |nz| of a wall
 constexpr float kSmoothCurvature = 0.02F;
 constexpr std::int32_t kTopRows = 3;
-constexpr float kFootprintCell = 0.3F;  // m
-constexpr float kContactHeight = 0.6F;  // m
+constexpr float kFootprintCell = 0.3F;         // m
+constexpr float kMaxFootprintCells = 1000.0F;  // along a side; a larger segment has larger cells
+constexpr float kContactHeight = 0.6F;         // m
 constexpr float kLowQuantile = 0.02F;
 constexpr float kHighQuantile = 0.98F;
 constexpr float kSmallLength = 0.01F;  // m; keeps ratios finite
-
-struct Distribution {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
-
-Distribution distributionOf(const std::vector<Point>& points, const Indices& indices) {
-  Distribution d;
-  const auto n = static_cast<double>(indices.size());
-  for (std::uint32_t i : indices) d.mean += points[i].position().cast<double>();
-  d.mean /= n;
-  for (std::uint32_t i : indices) {
-    const Eigen::Vector3d offset = points[i].position().cast<double>() - d.mean;
-    d.covariance += offset * offset.transpose();
-  }
-  d.covariance /= n;
-  return d;
-}
 
 void setEigenvalueShapes(const Eigen::Vector3d& l, FeatureVector& f) {
   const double sum = l.sum();
@@ -87,15 +71,21 @@ void setMoments(const std::vector<Point>& points,
 void setEigenvalueBlock(const std::vector<Point>& points,
                         const Indices& indices,
                         FeatureVector& f) {
-  const Distribution d = distributionOf(points, indices);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(d.covariance);
+  const Eigen::Vector3d origin = points[indices.front()].position().cast<double>();
+  Moments moments;
+  for (std::uint32_t i : indices) {
+    const Eigen::Vector3d offset = points[i].position().cast<double>() - origin;
+    moments.add(offset.x(), offset.y(), offset.z());
+  }
+  const Eigen::Matrix3d covariance = moments.covariance();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d values = solver.eigenvalues().reverse().cwiseMax(0.0);
   if (!(values.sum() > kNoExtent)) return;
   setEigenvalueShapes(values, f);
   f[Feature::kVerticality] = static_cast<float>(1.0 - std::abs(solver.eigenvectors().col(0).z()));
   f[Feature::kMainAxisZ] = static_cast<float>(std::abs(solver.eigenvectors().col(2).z()));
-  setPlanarEigenvalues(d.covariance, f);
-  setMoments(points, indices, d.mean, solver.eigenvectors(), f);
+  setPlanarEigenvalues(covariance, f);
+  setMoments(points, indices, origin + moments.mean(), solver.eigenvectors(), f);
 }
 
 void setLocalShares(const std::vector<Surface>& surfaces,
@@ -156,37 +146,42 @@ void setBoxFeatures(const Segment& segment, FeatureVector& f) {
 
 /// Share of azimuth columns that the top edge of the field of view cuts.
 float topcut(const PointAttributes& a, const Indices& indices) {
-  std::vector<std::pair<std::int32_t, std::int32_t>> cells;
-  cells.reserve(indices.size());
-  for (std::uint32_t i : indices) cells.emplace_back(a.column[i], a.row[i]);
-  std::sort(cells.begin(), cells.end());
-  int columns = 0;
-  int cut = 0;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (k > 0 && cells[k].first == cells[k - 1].first) continue;
-    ++columns;  // the first of a column is its highest
-    cut += cells[k].second < kTopRows ? 1 : 0;
+  const auto [first, last] = std::minmax_element(
+      indices.begin(), indices.end(),
+      [&](std::uint32_t i, std::uint32_t j) { return a.column[i] < a.column[j]; });
+  constexpr std::int32_t kEmpty = std::numeric_limits<std::int32_t>::max();
+  const std::int32_t offset = a.column[*first];
+  std::vector<std::int32_t> highest(static_cast<std::size_t>(a.column[*last] - offset) + 1, kEmpty);
+  for (std::uint32_t i : indices) {
+    std::int32_t& row = highest[static_cast<std::size_t>(a.column[i] - offset)];
+    row = std::min(row, a.row[i]);
   }
+  const auto columns =
+      std::count_if(highest.begin(), highest.end(), [](std::int32_t row) { return row != kEmpty; });
+  const auto cut = std::count_if(highest.begin(), highest.end(),
+                                 [](std::int32_t row) { return row < kTopRows; });
   return static_cast<float>(cut) / static_cast<float>(columns);
 }
 
 /// Share of footprint cells that reach down to the ground.
-float groundContact(const PointAttributes& a, const Indices& indices) {
-  std::vector<std::tuple<float, float, float>> cells;
-  cells.reserve(indices.size());
-  for (std::uint32_t i : indices) {
-    cells.emplace_back(std::floor(a.points[i].x / kFootprintCell),
-                       std::floor(a.points[i].y / kFootprintCell), a.height[i]);
+float groundContact(const PointAttributes& a, const Segment& segment) {
+  const Eigen::Vector2f low = segment.bounds.min().head<2>();
+  const Eigen::Vector2f extent = segment.bounds.sizes().head<2>();
+  const float side = std::max(kFootprintCell, extent.maxCoeff() / kMaxFootprintCells);
+  const auto columns = static_cast<std::size_t>(extent.x() / side) + 1;
+  const auto rows = static_cast<std::size_t>(extent.y() / side) + 1;
+  constexpr float kEmpty = std::numeric_limits<float>::infinity();
+  std::vector<float> lowest(columns * rows, kEmpty);
+  for (std::uint32_t i : segment.points) {
+    const auto column = static_cast<std::size_t>((a.points[i].x - low.x()) / side);
+    const auto row = static_cast<std::size_t>((a.points[i].y - low.y()) / side);
+    float& cell = lowest[std::min(column, columns - 1) * rows + std::min(row, rows - 1)];
+    cell = std::min(cell, a.height[i]);
   }
-  std::sort(cells.begin(), cells.end());
-  int total = 0;
-  int contact = 0;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    const auto& [x, y, lowest] = cells[k];
-    if (k > 0 && x == std::get<0>(cells[k - 1]) && y == std::get<1>(cells[k - 1])) continue;
-    ++total;
-    contact += lowest < kContactHeight ? 1 : 0;
-  }
+  const auto total =
+      std::count_if(lowest.begin(), lowest.end(), [](float height) { return height != kEmpty; });
+  const auto contact = std::count_if(lowest.begin(), lowest.end(),
+                                     [](float height) { return height < kContactHeight; });
   return static_cast<float>(contact) / static_cast<float>(total);
 }
 
@@ -197,12 +192,14 @@ void describeSegment(const PointAttributes& attributes, Segment& segment) {
   segment.features = FeatureVector{};
   if (segment.points.empty()) return;
   FeatureVector& f = segment.features;
+  segment.bounds.setEmpty();
+  for (std::uint32_t i : segment.points) segment.bounds.extend(attributes.points[i].position());
   setEigenvalueBlock(attributes.points, segment.points, f);
   setLocalShares(attributes.surfaces, segment.points, f);
   setHeights(attributes.height, segment.points, f);
   setBoxFeatures(segment, f);
   f[Feature::kTopcut] = topcut(attributes, segment.points);
-  f[Feature::kGroundContact] = groundContact(attributes, segment.points);
+  f[Feature::kGroundContact] = groundContact(attributes, segment);
 }
 
 }  // namespace segdf

@@ -40,12 +40,13 @@ class Merger {
          std::vector<ComponentSums>& sums)
       : voxels_(voxels), config_(config), components_(components), sums_(sums) {}
 
+  /// Unions only grow: what is too large together now stays so.
   void collectLinks(const CurvedGrid& grid) {
-    forEachNeighbour(voxels_.keys, voxels_, grid, config_.ext, [&](std::size_t q, std::size_t v) {
-      if (v <= q) return;
-      const auto a = static_cast<std::uint32_t>(q);
-      const auto b = static_cast<std::uint32_t>(v);
-      if (components_.find(a) != components_.find(b)) links_.push_back({a, b});
+    std::vector<std::uint32_t> root(voxels_.size());
+    for (std::uint32_t v = 0; v < root.size(); ++v) root[v] = components_.find(v);
+    forEachNeighbourPair(voxels_, grid, config_.ext, [&](std::size_t a, std::size_t b) {
+      if (root[a] == root[b] || !fitsTogether(root[a], root[b])) return;
+      links_.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
     });
   }
 

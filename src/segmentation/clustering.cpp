@@ -45,9 +45,9 @@ UnionFind connectNeighbours(const CurvedVoxels& voxels,
                             const CurvedVoxelConfig& config) {
   UnionFind components(voxels.size());
   const Gate gate(voxels, config);
-  forEachNeighbour(voxels.keys, voxels, grid, 1, [&](std::size_t q, std::size_t v) {
-    if (v > q && gate.allows(q, v)) {
-      components.unite(static_cast<std::uint32_t>(q), static_cast<std::uint32_t>(v));
+  forEachNeighbourPair(voxels, grid, 1, [&](std::size_t a, std::size_t b) {
+    if (gate.allows(a, b)) {
+      components.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
     }
   });
   return components;

@@ -5,17 +5,14 @@
 #include <array>
 #include <cmath>
 
+#include "segdf/segmentation/arc_tangent.hpp"
+
 namespace segdf {
 
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Key layout. Fields start at kMargin so that stepping down a few cells never borrows from the next
-// field.
-constexpr unsigned kAzimuthBits = 14;
-constexpr unsigned kPolarBits = 13;
-constexpr std::int64_t kMargin = 8;
 // 2^20 range cells: 10 km at the smallest step; farther points share the last cell.
 constexpr double kMaxRangeCell = 1048575.0;
 
@@ -52,29 +49,17 @@ double CurvedGrid::rangeCell(double rho) const {
 }
 
 std::optional<CurvedGrid::Key> CurvedGrid::keyOf(const Eigen::Vector3d& position) const {
-  const double rho = position.norm();
+  const double horizontal = position.head<2>().squaredNorm();
+  const double rho = std::sqrt(horizontal + position.z() * position.z());
   if (!(rho >= rho_min_) || !std::isfinite(rho) || rho <= 0.0) return std::nullopt;
-  const double theta = std::acos(std::clamp(position.z() / rho, -1.0, 1.0));
-  double turn = std::atan2(position.y(), position.x()) / (2.0 * kPi);
-  if (turn < 0.0) turn += 1.0;
+  const double theta = arcTangent2(std::sqrt(horizontal), position.z());
+  const double turn = turnOf(position.y(), position.x());
   const auto i = static_cast<std::int64_t>(std::min(rangeCell(rho), kMaxRangeCell));
   const auto j = static_cast<std::int64_t>(theta / dtheta_);
   const auto k = std::min(static_cast<std::int64_t>(turn * azimuth_cells_),
                           static_cast<std::int64_t>(azimuth_cells_ - 1));
   return (static_cast<Key>(i + kMargin) << (kPolarBits + kAzimuthBits)) |
          (static_cast<Key>(j + kMargin) << kAzimuthBits) | static_cast<Key>(k + kMargin);
-}
-
-CurvedGrid::Key CurvedGrid::shifted(Key key, int range_cells, int polar_cells, int azimuth_cells) {
-  // Two's complement: adding a negative offset to the unsigned key subtracts it.
-  const std::int64_t offset =
-      static_cast<std::int64_t>(range_cells) * (std::int64_t{1} << (kPolarBits + kAzimuthBits)) +
-      static_cast<std::int64_t>(polar_cells) * (std::int64_t{1} << kAzimuthBits) + azimuth_cells;
-  return key + static_cast<Key>(offset);
-}
-
-int CurvedGrid::azimuthOf(Key key) {
-  return static_cast<int>(key & ((Key{1} << kAzimuthBits) - 1)) - static_cast<int>(kMargin);
 }
 
 void sortByKey(std::vector<KeyedPoint>& items) {

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
+
+#include "segdf/segmentation/arc_tangent.hpp"
 
 namespace segdf {
 
@@ -13,9 +14,9 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 double elevationDegrees(const Point& p) {
-  return std::atan2(static_cast<double>(p.z),
-                    std::hypot(static_cast<double>(p.x), static_cast<double>(p.y))) *
-         180.0 / kPi;
+  const auto x = static_cast<double>(p.x);
+  const auto y = static_cast<double>(p.y);
+  return arcTangent2(static_cast<double>(p.z), std::sqrt(x * x + y * y)) * 180.0 / kPi;
 }
 
 bool allHaveRings(const std::vector<Point>& points, const std::vector<PointRole>& roles) {
@@ -25,20 +26,25 @@ bool allHaveRings(const std::vector<Point>& points, const std::vector<PointRole>
   return true;
 }
 
-/// Drivers count lasers from either end: rows are rings by falling mean elevation.
-std::map<std::int16_t, std::int32_t> rowsOfRings(const std::vector<Point>& points,
-                                                 const std::vector<PointRole>& roles) {
-  std::map<std::int16_t, std::pair<double, double>> sums;
+/// Drivers count lasers from either end: rows are rings by falling mean sine of the elevation.
+/// @returns row of each ring, kNone for rings without a point
+std::vector<std::int32_t> rowsOfRings(const std::vector<Point>& points,
+                                      const std::vector<PointRole>& roles,
+                                      const std::vector<float>& range) {
+  std::vector<std::pair<double, double>> sums;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    auto& sum = sums[points[i].ring];
-    sum.first += elevationDegrees(points[i]);
-    sum.second += 1.0;
+    const auto ring = static_cast<std::size_t>(points[i].ring);
+    if (ring >= sums.size()) sums.resize(ring + 1);
+    sums[ring].first += static_cast<double>(points[i].z / range[i]);
+    sums[ring].second += 1.0;
   }
-  std::vector<std::pair<double, std::int16_t>> order;
-  for (const auto& [ring, sum] : sums) order.emplace_back(-sum.first / sum.second, ring);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t ring = 0; ring < sums.size(); ++ring) {
+    if (sums[ring].second > 0.0) order.emplace_back(-sums[ring].first / sums[ring].second, ring);
+  }
   std::sort(order.begin(), order.end());
-  std::map<std::int16_t, std::int32_t> rows;
+  std::vector<std::int32_t> rows(sums.size(), RangeImage::kNone);
   for (std::size_t row = 0; row < order.size(); ++row) {
     rows[order[row].second] = static_cast<std::int32_t>(row);
   }
@@ -46,8 +52,7 @@ std::map<std::int16_t, std::int32_t> rowsOfRings(const std::vector<Point>& point
 }
 
 std::int32_t columnOfAzimuth(const Point& p, int columns) {
-  const double turn =
-      std::atan2(static_cast<double>(p.y), static_cast<double>(p.x)) / (2.0 * kPi) + 0.5;
+  const double turn = turnOf(static_cast<double>(p.y), static_cast<double>(p.x));
   return std::min(static_cast<std::int32_t>(turn * columns), columns - 1);
 }
 
@@ -61,11 +66,13 @@ RangeImage::RangeImage(const std::vector<Point>& points,
       row_(points.size(), kNone),
       column_(points.size(), kNone),
       range_(points.size(), 0.0F) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (roles[i] != PointRole::kUnused) range_[i] = points[i].position().norm();
+  }
   assignRows(points, roles, config);
   cells_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), kNone);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    range_[i] = points[i].position().norm();
     column_[i] = columnOfAzimuth(points[i], columns_);
     std::int32_t& cell =
         cells_[static_cast<std::size_t>(row_[i]) * static_cast<std::size_t>(columns_) +
@@ -80,27 +87,20 @@ void RangeImage::assignRows(const std::vector<Point>& points,
                             const std::vector<PointRole>& roles,
                             const RangeImageConfig& config) {
   const bool by_ring = allHaveRings(points, roles);
-  const auto rows = by_ring ? rowsOfRings(points, roles) : std::map<std::int16_t, std::int32_t>{};
-  rows_ = std::max(rows_, static_cast<int>(rows.size()));
+  const std::vector<std::int32_t> rows =
+      by_ring ? rowsOfRings(points, roles, range_) : std::vector<std::int32_t>{};
+  for (std::int32_t row : rows) rows_ = std::max(rows_, row + 1);
   const double span = config.elevation_max - config.elevation_min;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
     if (by_ring) {
-      row_[i] = rows.at(points[i].ring);
+      row_[i] = rows[static_cast<std::size_t>(points[i].ring)];
       continue;
     }
     const double from_top = (config.elevation_max - elevationDegrees(points[i])) / span;
     const double row = std::round(from_top * (rows_ - 1));
     row_[i] = static_cast<std::int32_t>(std::clamp(row, 0.0, static_cast<double>(rows_ - 1)));
   }
-}
-
-std::int32_t RangeImage::at(int row, int column) const {
-  if (row < 0 || row >= rows_) return kNone;
-  if (column < 0) column += columns_;
-  if (column >= columns_) column -= columns_;
-  return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                static_cast<std::size_t>(column)];
 }
 
 }  // namespace segdf

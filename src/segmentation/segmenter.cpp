@@ -61,19 +61,28 @@ std::vector<KeyedPoint> objectKeys(const Scan& scan,
   return items;
 }
 
+/// Visiting points in the order of the scan leaves the indices of each segment sorted.
 std::vector<Segment> collectSegments(const Scan& scan,
                                      const CurvedVoxels& voxels,
                                      const Clusters& clusters) {
-  std::vector<Segment> segments(clusters.count);
+  std::vector<std::int32_t> of_point(scan.points.size(), Clusters::kNoise);
+  std::vector<std::size_t> sizes(clusters.count, 0);
   for (std::size_t v = 0; v < voxels.size(); ++v) {
-    if (clusters.of_voxel[v] == Clusters::kNoise) continue;
-    Segment& segment = segments[static_cast<std::size_t>(clusters.of_voxel[v])];
+    const std::int32_t cluster = clusters.of_voxel[v];
+    if (cluster == Clusters::kNoise) continue;
+    sizes[static_cast<std::size_t>(cluster)] += voxels.count(v);
     for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
-      segment.points.push_back(voxels.points[k]);
-      segment.bounds.extend(scan.points[voxels.points[k]].position());
+      of_point[voxels.points[k]] = cluster;
     }
   }
-  for (Segment& segment : segments) std::sort(segment.points.begin(), segment.points.end());
+  std::vector<Segment> segments(clusters.count);
+  for (std::size_t s = 0; s < segments.size(); ++s) segments[s].points.reserve(sizes[s]);
+  for (std::size_t i = 0; i < of_point.size(); ++i) {
+    if (of_point[i] == Clusters::kNoise) continue;
+    Segment& segment = segments[static_cast<std::size_t>(of_point[i])];
+    segment.points.push_back(static_cast<std::uint32_t>(i));
+    segment.bounds.extend(scan.points[i].position());
+  }
   return segments;
 }
 

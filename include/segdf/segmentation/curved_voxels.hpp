@@ -28,10 +28,24 @@ class CurvedGrid {
   int azimuthCells() const { return azimuth_cells_; }
 
   /// Key moved by whole cells in range and polar angle; azimuth as given, not wrapped.
-  static Key shifted(Key key, int range_cells, int polar_cells, int azimuth_cells);
-  static int azimuthOf(Key key);
+  static Key shifted(Key key, int range_cells, int polar_cells, int azimuth_cells) {
+    // Two's complement: adding a negative offset to the unsigned key subtracts it.
+    const std::int64_t offset =
+        static_cast<std::int64_t>(range_cells) * (std::int64_t{1} << (kPolarBits + kAzimuthBits)) +
+        static_cast<std::int64_t>(polar_cells) * (std::int64_t{1} << kAzimuthBits) + azimuth_cells;
+    return key + static_cast<Key>(offset);
+  }
+  static int azimuthOf(Key key) {
+    return static_cast<int>(key & ((Key{1} << kAzimuthBits) - 1)) - static_cast<int>(kMargin);
+  }
 
  private:
+  // Key layout. Fields start at kMargin so that stepping down a few cells never borrows from the
+  // next field.
+  static constexpr unsigned kAzimuthBits = 14;
+  static constexpr unsigned kPolarBits = 13;
+  static constexpr std::int64_t kMargin = 8;
+
   double rangeCell(double rho) const;
 
   double rho_min_;
@@ -74,6 +88,14 @@ void forEachNeighbour(const std::vector<CurvedGrid::Key>& queries,
                       const CurvedGrid& grid,
                       int reach,
                       const Visit& visit);
+
+/// Calls visit(a, b) once for every two occupied voxels a < b within +-reach cells of each other.
+/// Ordered by offset in range and polar angle, then a, then b. Linear in voxels.
+template <class Visit>
+void forEachNeighbourPair(const CurvedVoxels& voxels,
+                          const CurvedGrid& grid,
+                          int reach,
+                          const Visit& visit);
 
 }  // namespace segdf
 

@@ -39,6 +39,26 @@ void visitAcrossSeam(CurvedGrid::Key row,
   visitRun(keys, static_cast<std::size_t>(from), first, last, query, visit);
 }
 
+/// All neighbours of the queries in the row of cells `range` and `polar` away.
+template <class Visit>
+void visitRow(const std::vector<CurvedGrid::Key>& queries,
+              const CurvedVoxels& voxels,
+              const CurvedGrid& grid,
+              int reach,
+              int range,
+              int polar,
+              const Visit& visit) {
+  // Queries ascend, so the run of candidates only moves forward.
+  std::size_t from = 0;
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    const CurvedGrid::Key row = CurvedGrid::shifted(queries[q], range, polar, 0);
+    from = visitRun(voxels.keys, from, CurvedGrid::shifted(row, 0, 0, -reach),
+                    CurvedGrid::shifted(row, 0, 0, reach), q, visit);
+    visitAcrossSeam(row, q, CurvedGrid::azimuthOf(queries[q]), reach, grid.azimuthCells(),
+                    voxels.keys, visit);
+  }
+}
+
 }  // namespace detail
 
 template <class Visit>
@@ -49,15 +69,26 @@ void forEachNeighbour(const std::vector<CurvedGrid::Key>& queries,
                       const Visit& visit) {
   for (int range = -reach; range <= reach; ++range) {
     for (int polar = -reach; polar <= reach; ++polar) {
-      // Queries ascend, so the run of candidates only moves forward.
-      std::size_t from = 0;
-      for (std::size_t q = 0; q < queries.size(); ++q) {
-        const CurvedGrid::Key row = CurvedGrid::shifted(queries[q], range, polar, 0);
-        from = detail::visitRun(voxels.keys, from, CurvedGrid::shifted(row, 0, 0, -reach),
-                                CurvedGrid::shifted(row, 0, 0, reach), q, visit);
-        detail::visitAcrossSeam(row, q, CurvedGrid::azimuthOf(queries[q]), reach,
-                                grid.azimuthCells(), voxels.keys, visit);
-      }
+      detail::visitRow(queries, voxels, grid, reach, range, polar, visit);
+    }
+  }
+}
+
+template <class Visit>
+void forEachNeighbourPair(const CurvedVoxels& voxels,
+                          const CurvedGrid& grid,
+                          int reach,
+                          const Visit& visit) {
+  const auto upwards = [&visit](std::size_t a, std::size_t b) {
+    if (a < b) visit(a, b);
+  };
+  // Rows before the voxel's own hold what has seen it already.
+  for (int polar = 0; polar <= reach; ++polar) {
+    detail::visitRow(voxels.keys, voxels, grid, reach, 0, polar, upwards);
+  }
+  for (int range = 1; range <= reach; ++range) {
+    for (int polar = -reach; polar <= reach; ++polar) {
+      detail::visitRow(voxels.keys, voxels, grid, reach, range, polar, upwards);
     }
   }
 }

@@ -30,7 +30,13 @@ class RangeImage {
   /// Column of a point, kNone for unused points.
   std::int32_t columnOf(std::size_t point) const { return column_[point]; }
   /// Index of the point seen in a cell, kNone when empty. The column is taken modulo columns().
-  std::int32_t at(int row, int column) const;
+  std::int32_t at(int row, int column) const {
+    if (row < 0 || row >= rows_) return kNone;
+    if (column < 0) column += columns_;
+    if (column >= columns_) column -= columns_;
+    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(column)];
+  }
   /// Distance of a point from the sensor, metres.
   float rangeOf(std::size_t point) const { return range_[point]; }
 
