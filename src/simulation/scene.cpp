@@ -3,28 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace segdf {
 
-namespace {
-
-constexpr std::uint16_t kRoad = 40;
-constexpr std::uint16_t kSidewalk = 48;
-constexpr std::uint16_t kTerrain = 72;
-
-}  // namespace
-
 WayPoint interpolate(const std::vector<WayPoint>& path, double time) {
-  const auto later = std::find_if(path.begin(), path.end(),
-                                  [time](const WayPoint& point) { return point.time > time; });
+  const auto later =
+      std::upper_bound(path.begin(), path.end(), time,
+                       [](double t, const WayPoint& point) { return t < point.time; });
   if (later == path.begin()) return path.front();
   if (later == path.end()) return path.back();
   const WayPoint& a = *(later - 1);
   const WayPoint& b = *later;
   const double share = (time - a.time) / (b.time - a.time);
   return {time, a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
-          a.yaw + share * std::remainder(b.yaw - a.yaw, 2.0 * 3.14159265358979323846)};
+          a.yaw + share * std::remainder(b.yaw - a.yaw, 2.0 * 3.14159265358979323846),
+          a.way + share * (b.way - a.way)};
 }
 
 WayPoint SceneObject::at(double time) const { return interpolate(path, time); }
@@ -34,28 +27,29 @@ std::uint32_t SceneObject::label() const {
   return (static_cast<std::uint32_t>(instance) << 16U) | semantic_class;
 }
 
-double StreetGround::heightAt(double x, double y) const {
-  // Two long waves that do not repeat together within a drive.
-  const double wave = 0.6 * std::sin(x / 11.0) + 0.4 * std::sin(x / 27.0 + y / 15.0);
-  const double side = std::abs(y) > half_road ? kerb : 0.0;
-  return undulation * wave + side;
+Pose Scene::poseAt(const WayPoint& place, double length, double width, bool upright) const {
+  const Eigen::AngleAxisd turn(place.yaw, Eigen::Vector3d::UnitZ());
+  if (upright) {
+    return Eigen::Translation3d(place.x, place.y, ground.heightAt(place.x, place.y)) * turn;
+  }
+  // Axles stand at a third of the length from the middle, wheels close to the sides.
+  const double fx = length / 3.0;
+  const double fy = width / 2.5;
+  const auto height = [&](double along, double across) {
+    const Eigen::Vector3d foot = turn * Eigen::Vector3d(along, across, 0.0);
+    return ground.heightAt(place.x + foot.x(), place.y + foot.y());
+  };
+  const double front = (height(fx, fy) + height(fx, -fy)) / 2.0;
+  const double rear = (height(-fx, fy) + height(-fx, -fy)) / 2.0;
+  const double left = (height(fx, fy) + height(-fx, fy)) / 2.0;
+  const double right = (height(fx, -fy) + height(-fx, -fy)) / 2.0;
+  return Eigen::Translation3d(place.x, place.y, (front + rear) / 2.0) * turn *
+         Eigen::AngleAxisd(-std::atan2(front - rear, 2.0 * fx), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(std::atan2(left - right, 2.0 * fy), Eigen::Vector3d::UnitX());
 }
 
-std::uint16_t StreetGround::classAt(double y) const {
-  if (std::abs(y) <= half_road) return kRoad;
-  return std::abs(y) <= half_street ? kSidewalk : kTerrain;
-}
-
-Pose Scene::poseAt(const WayPoint& place) const {
-  // The slope under the object, taken over a car's length, tilts it.
-  constexpr double kHalfLength = 1.3;
-  const double dx = kHalfLength * std::cos(place.yaw);
-  const double dy = kHalfLength * std::sin(place.yaw);
-  const double rise =
-      ground.heightAt(place.x + dx, place.y + dy) - ground.heightAt(place.x - dx, place.y - dy);
-  return Eigen::Translation3d(place.x, place.y, ground.heightAt(place.x, place.y)) *
-         Eigen::AngleAxisd(place.yaw, Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(-std::atan2(rise, 2.0 * kHalfLength), Eigen::Vector3d::UnitY());
+Pose Scene::poseOf(const SceneObject& object, double time) const {
+  return poseAt(object.at(time), object.length, object.width, object.upright);
 }
 
 }  // namespace segdf

@@ -12,9 +12,11 @@ namespace {
 constexpr double kKittiAngleExponent = 0.15;
 constexpr double kIntensityNoise = 0.03;
 constexpr double kGlassReturns = 0.3;
+constexpr double kGlassLosses = 0.35;    // mirrored away; the rest goes through
 constexpr double kDark = 0.08;           // reflectance below which grazing pulses are lost
 constexpr double kGrazing = 0.3;         // cosine of the incidence angle
 constexpr double kFullReach = 0.2;       // reflectance that is seen at full reach
+constexpr double kRawRange = 10.0;       // metres: nearer, the receiver is out of focus
 constexpr double kRetroreflector = 1.0;  // reflectance above
 
 /// Measured on KITTI's HDL-64E, rings from the top (method.md 8.2).
@@ -75,6 +77,11 @@ float modelIntensity(const SensorModel& sensor, const RayHit& hit, double gain, 
     const double value = gain * reflectance * angle * kittiHump(hit.range) + noise;
     return static_cast<float>(std::round(100.0 * std::clamp(value, 0.0, 0.99)) / 100.0);
   }
+  if (sensor.intensity == SimulatedIntensity::kRaw) {
+    const double fall = kRawRange / std::max(hit.range, kRawRange);
+    const double value = gain * reflectance * hit.cos_incidence * fall * fall;
+    return static_cast<float>(std::clamp(value + noise * fall * fall, 0.0, 1.0));
+  }
   const bool retro = reflectance > kRetroreflector;
   double value = 100.0 * (gain * reflectance + noise);
   if (sensor.intensity == SimulatedIntensity::kByte) value *= 2.55;
@@ -83,13 +90,19 @@ float modelIntensity(const SensorModel& sensor, const RayHit& hit, double gain, 
   return static_cast<float>(std::round(std::clamp(value, 0.0, 255.0)));
 }
 
-bool isLost(const SensorModel& sensor, const RayHit& hit, Random& random) {
+Fate fateOf(const SensorModel& sensor, const RayHit& hit, Random& random) {
   const auto reflectance = static_cast<double>(hit.material.reflectance);
-  if (random.chance(sensor.dropout)) return true;
-  if (hit.material.glass && !random.chance(kGlassReturns)) return true;
-  if (reflectance < kDark && hit.cos_incidence < kGrazing && random.chance(0.5)) return true;
+  if (hit.material.glass) {
+    const double draw = random.uniform();
+    if (draw < kGlassReturns) return Fate::kReturned;
+    return draw < kGlassReturns + kGlassLosses ? Fate::kLost : Fate::kThrough;
+  }
+  if (random.chance(sensor.dropout)) return Fate::kLost;
+  if (reflectance < kDark && hit.cos_incidence < kGrazing && random.chance(0.5)) {
+    return Fate::kLost;
+  }
   const double reach = sensor.reach * std::sqrt(std::min(1.0, reflectance / kFullReach));
-  return hit.range > reach;
+  return hit.range > reach ? Fate::kLost : Fate::kReturned;
 }
 
 }  // namespace segdf

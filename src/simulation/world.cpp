@@ -76,8 +76,7 @@ class World::Impl {
 
   void moveTo(double time) {
     for (Part& part : parts_) {
-      const Pose pose =
-          part.object == nullptr ? Pose(Pose::Identity()) : scene_.poseAt(part.object->at(time));
+      const Pose pose = poseOf(part, time);
       const std::array<float, 12> transform = columnMajor(pose);
       part.to_local = pose.linear().transpose().cast<float>();
       rtcSetGeometryTransform(part.instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, transform.data());
@@ -111,6 +110,7 @@ class World::Impl {
     RTCScene scene = nullptr;
     RTCGeometry instance = nullptr;
     const SceneObject* object = nullptr;  ///< null: stands
+    const Limb* limb = nullptr;           ///< null: the object's body
     std::vector<Material> materials;
     Eigen::Matrix3f to_local = Eigen::Matrix3f::Identity();
   };
@@ -133,25 +133,45 @@ class World::Impl {
     return query;
   }
 
+  Pose poseOf(const Part& part, double time) const {
+    if (part.object == nullptr) return Pose::Identity();
+    const Pose body = scene_.poseOf(*part.object, time);
+    if (part.limb == nullptr) return body;
+    const double cycles = part.object->at(time).way / part.limb->cycle;
+    const double angle =
+        part.limb->swing * std::sin(2.0 * 3.14159265358979323846 * cycles + part.limb->phase);
+    const Eigen::Translation3d hip(0.0, 0.0, part.limb->pivot);
+    return body * hip * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()) * hip.inverse();
+  }
+
   void addStanding() {
     Mesh mesh;
     addGround(scene_.ground, mesh);
     for (const SceneObject& object : scene_.objects) {
-      if (!object.moves()) addObject(object, scene_.poseAt(object.at(0.0)), mesh);
+      if (object.moves()) continue;
+      const Pose pose = scene_.poseOf(object, 0.0);
+      addSolids(object.solids, object.label(), pose, mesh);
+      for (const Limb& limb : object.limbs) addSolids(limb.solids, object.label(), pose, mesh);
     }
-    addPart(mesh, nullptr);
+    addPart(mesh, nullptr, nullptr);
   }
 
   void addMover(const SceneObject& object) {
-    Mesh mesh;
-    addObject(object, Pose::Identity(), mesh);
-    addPart(mesh, &object);
+    Mesh body;
+    addSolids(object.solids, object.label(), Pose::Identity(), body);
+    addPart(body, &object, nullptr);
+    for (const Limb& limb : object.limbs) {
+      Mesh mesh;
+      addSolids(limb.solids, object.label(), Pose::Identity(), mesh);
+      addPart(mesh, &object, &limb);
+    }
   }
 
-  void addPart(const Mesh& mesh, const SceneObject* object) {
+  void addPart(const Mesh& mesh, const SceneObject* object, const Limb* limb) {
     Part part;
     part.scene = buildMesh(device_, mesh);
     part.object = object;
+    part.limb = limb;
     part.materials = mesh.materials;
     part.instance = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(part.instance, part.scene);

@@ -56,18 +56,22 @@ TEST(SensorModel, GlassAndDarknessLosePulses) {
   const SensorModel sensor = sensorModel("hdl64");
   int plain = 0;
   int glass = 0;
+  int through = 0;
   int far = 0;
   for (std::uint64_t k = 0; k < 2000; ++k) {
     Random random(k, 3);
-    plain += isLost(sensor, hitAt(10.0, 1.0, 0.3F), random) ? 1 : 0;
+    plain += fateOf(sensor, hitAt(10.0, 1.0, 0.3F), random) == Fate::kLost ? 1 : 0;
     RayHit window = hitAt(10.0, 1.0, 0.1F);
     window.material.glass = true;
-    glass += isLost(sensor, window, random) ? 1 : 0;
-    far += isLost(sensor, hitAt(60.0, 1.0, 0.05F), random) ? 1 : 0;
+    const Fate fate = fateOf(sensor, window, random);
+    glass += fate == Fate::kLost ? 1 : 0;
+    through += fate == Fate::kThrough ? 1 : 0;
+    far += fateOf(sensor, hitAt(60.0, 1.0, 0.05F), random) == Fate::kLost ? 1 : 0;
   }
-  // 2 %, and 1 - 0.98 * 0.3 = 70.6 %, each within four sigma of 2000 draws.
+  // 2 %, 35 % and 35 %, each within four sigma of 2000 draws.
   EXPECT_NEAR(plain, 40, 26);
-  EXPECT_NEAR(glass, 1412, 82);
+  EXPECT_NEAR(glass, 700, 86);
+  EXPECT_NEAR(through, 700, 86);
   EXPECT_EQ(far, 2000) << "a reflectance of 0.05 is seen to 40 m";
 }
 

@@ -144,7 +144,11 @@ TEST(Simulator, MovingPointsAreAFewPercentAndOfAllKinds) {
 TEST(Simulator, PoseNoiseIsInThePoseAndNotInTheExactPose) {
   SimulationConfig config = quick(1);
   config.pose_noise = 0.1;
-  const auto clean = simulate(quick(1));
+  config.pose_noise_angle = 0.0;
+  SimulationConfig exact = quick(1);
+  exact.pose_noise = 0.0;
+  exact.pose_noise_angle = 0.0;
+  const auto clean = simulate(exact);
   const auto noisy = simulate(config);
   double sum = 0.0;
   for (std::size_t k = 0; k < clean.size(); ++k) {

@@ -15,7 +15,7 @@ Scene sceneWith(SceneObject object) {
   scene.ground.undulation = 0.0;
   scene.ground.kerb = 0.0;
   scene.objects.push_back(std::move(object));
-  scene.ego = {{0.0, 0.0, 0.0, 0.0}};
+  scene.ego = {{0.0, 0.0, 0.0, 0.0, 0.0}};
   return scene;
 }
 
@@ -34,7 +34,7 @@ SceneObject boxObject(std::vector<WayPoint> path) {
 }
 
 TEST(World, RangesAreThoseOfGeometry) {
-  const World world(sceneWith(boxObject({{0.0, 10.0, 0.0, 0.0}})));
+  const World world(sceneWith(boxObject({{0.0, 10.0, 0.0, 0.0, 0.0}})));
   const auto front = world.cast({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, 80.0);
   ASSERT_TRUE(front);
   EXPECT_NEAR(front->range, 9.0, 1e-4);
@@ -51,7 +51,7 @@ TEST(World, RangesAreThoseOfGeometry) {
 }
 
 TEST(World, AMoverIsWhereItsPathSays) {
-  World world(sceneWith(boxObject({{0.0, 10.0, 0.0, 0.0}, {2.0, 30.0, 0.0, 0.0}})));
+  World world(sceneWith(boxObject({{0.0, 10.0, 0.0, 0.0, 0.0}, {2.0, 30.0, 0.0, 0.0, 20.0}})));
   for (const auto& [time, range] : {std::pair{0.0, 9.0}, {1.0, 19.0}, {2.0, 29.0}, {9.0, 29.0}}) {
     world.moveTo(time);
     const auto hit = world.cast({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, 80.0);
@@ -62,7 +62,8 @@ TEST(World, AMoverIsWhereItsPathSays) {
 }
 
 TEST(World, ATurnedMoverShowsItsSide) {
-  World world(sceneWith(boxObject({{0.0, 10.0, 0.0, 1.5707963}, {2.0, 10.0, 5.0, 1.5707963}})));
+  World world(
+      sceneWith(boxObject({{0.0, 10.0, 0.0, 1.5707963, 0.0}, {2.0, 10.0, 5.0, 1.5707963, 5.0}})));
   const auto hit = world.cast({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, 80.0);
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->range, 8.0, 1e-3);

@@ -24,7 +24,7 @@ check dynamics 'core segmentation classification dynamics' "$outside"
 check mapping 'core mapping' "$outside"
 check pipeline 'core segmentation classification dynamics pipeline' "$outside"
 check evaluation 'core evaluation' "$outside"
-check simulation 'core simulation' "$ros|pcl/|yaml-cpp/|nlohmann/|png|CLI/"
+check simulation 'core simulation' "$ros|pcl/|nlohmann/|png|CLI/"  # yaml-cpp: scenes are YAML
 check io 'core segmentation mapping io' "$ros|embree3/|CLI/"
 check ros 'core segmentation mapping io ros' 'embree3/|CLI/'
 check nodelets 'core segmentation mapping pipeline io ros nodelets' 'embree3/|CLI/'

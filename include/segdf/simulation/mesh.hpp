@@ -25,10 +25,13 @@ struct Mesh {
   std::vector<Material> materials;  ///< one for each triangle
 };
 
-/// Adds all solids of an object, placed by map_T_object.
-void addObject(const SceneObject& object, const Pose& map_T_object, Mesh& mesh);
+/// Adds solids of an object, placed by map_T_object. @param label truth of what hits them
+void addSolids(const std::vector<Solid>& solids,
+               std::uint32_t label,
+               const Pose& map_T_object,
+               Mesh& mesh);
 
 /// Adds the ground as a grid that has the kerbs as steps.
-void addGround(const StreetGround& ground, Mesh& mesh);
+void addGround(const Ground& ground, Mesh& mesh);
 
 }  // namespace segdf

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace segdf {
@@ -19,10 +18,14 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// True with the given probability.
   bool chance(double probability) { return uniform() < probability; }
-  /// Standard normal (Box-Muller).
+  /// Nearly standard normal: the sum of four uniform numbers, hence never beyond 3.5. It costs a
+  /// tenth of an exact one, and a scan draws half a million.
   double normal() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(2.0 * 3.14159265358979323846 * uniform());
+    constexpr double kScale = 1.7320508075688772 / 65536.0;  // sqrt(12 / 4), of 16 bits each
+    const std::uint64_t bits = next();
+    std::uint64_t sum = 0;
+    for (unsigned shift = 0; shift < 64U; shift += 16U) sum += (bits >> shift) & 0xFFFFU;
+    return (static_cast<double>(sum) - 2.0 * 65535.0) * kScale;
   }
 
  private:

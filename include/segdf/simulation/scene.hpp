@@ -7,37 +7,56 @@
 #include <Eigen/Core>
 
 #include "segdf/core/scan.hpp"
+#include "segdf/simulation/ground.hpp"
 
 namespace segdf {
 
 /// One convex part of an object, in the object's frame (x forward, z up from its foot). Metres.
 struct Solid {
-  enum class Shape : std::uint8_t { kBox, kCylinder };  ///< a cylinder stands upright
+  enum class Shape : std::uint8_t {
+    kBox,
+    kCylinder,  ///< upright; its diameter is size.x(), its height size.z()
+    kWheel      ///< a cylinder whose axis lies across; diameter size.x(), width size.z()
+  };
 
   Shape shape = Shape::kBox;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< a cylinder's diameter is size.x()
-  double yaw = 0.0;                                ///< rad
-  float reflectance = 0.3F;                        ///< 0 black .. 1 white, above: retro-reflector
-  bool glass = false;                              ///< most beams are lost on it
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();
+  Eigen::Vector2d taper = Eigen::Vector2d::Ones();  ///< size of the top relative to the base
+  double yaw = 0.0;                                 ///< rad
+  float reflectance = 0.3F;                         ///< 0 black .. 1 white, above: retro-reflector
+  bool glass = false;                               ///< most beams are lost in it or go through
 };
 
-/// Where an object is at a time: straight from way point to way point, standing before the first
-/// and after the last. Position in the map frame; its height is the ground's.
+/// A part that swings about an axis across the object while it moves: legs.
+struct Limb {
+  std::vector<Solid> solids;  ///< in the object's frame, hanging straight
+  double pivot = 1.0;         ///< height of the axis, metres
+  double swing = 0.4;         ///< amplitude, rad
+  double phase = 0.0;         ///< rad, where the object's way is 0
+  double cycle = 1.4;         ///< way of a full swing to and fro, metres
+};
+
+/// Where an object is at a time. Position in the map frame; its height is the ground's.
 struct WayPoint {
   double time = 0.0;  ///< seconds
   double x = 0.0;     ///< metres
   double y = 0.0;     ///< metres
   double yaw = 0.0;   ///< rad
+  double way = 0.0;   ///< metres gone since the first way point
 };
 
 /// A thing with one identity, standing or moving.
 struct SceneObject {
   std::vector<Solid> solids;
+  std::vector<Limb> limbs;
   std::vector<WayPoint> path;        ///< one way point: it stands
   std::uint16_t standing_class = 0;  ///< SemanticKITTI class when it never moves
   std::uint16_t moving_class = 0;    ///< SemanticKITTI class when it moves at any time
   std::uint16_t instance = 0;        ///< 0 = none
+  double length = 1.0;               ///< of its footprint along x, metres
+  double width = 1.0;                ///< of its footprint along y, metres
+  bool upright = false;              ///< does not lean with the ground
 
   bool moves() const { return path.size() > 1; }
   WayPoint at(double time) const;
@@ -45,32 +64,20 @@ struct SceneObject {
   std::uint32_t label() const;
 };
 
-/// The ground as a height over (x, y), metres: undulating road, kerbs, sidewalks.
-struct StreetGround {
-  double undulation = 0.15;   ///< amplitude, metres
-  double kerb = 0.12;         ///< height of the sidewalk over the road, metres
-  double half_road = 7.0;     ///< kerbs stand at y = +-half_road
-  double half_street = 11.5;  ///< sidewalks reach to here
-  double x_min = -120.0;
-  double x_max = 240.0;
-  double y_reach = 70.0;
-
-  double heightAt(double x, double y) const;
-  /// Road, sidewalk or terrain.
-  std::uint16_t classAt(double y) const;
-};
-
 /// All that rays can hit, and the way of the sensor over it.
 struct Scene {
-  StreetGround ground;
+  Ground ground;
   std::vector<SceneObject> objects;
   std::vector<WayPoint> ego;
 
-  /// Pose of an object (or the ego vehicle) standing on the ground at a way point, map_T_object.
-  Pose poseAt(const WayPoint& place) const;
+  /// Pose of an object on the ground at a way point, map_T_object: unless it is upright, the slope
+  /// under its footprint tilts it.
+  Pose poseAt(const WayPoint& place, double length, double width, bool upright) const;
+  Pose poseOf(const SceneObject& object, double time) const;
 };
 
-/// Place on a path at a time.
+/// Place on a path at a time: straight from way point to way point, standing before the first and
+/// after the last.
 WayPoint interpolate(const std::vector<WayPoint>& path, double time);
 
 }  // namespace segdf

@@ -14,6 +14,7 @@ enum class SimulatedIntensity {
   kKitti,         ///< 0..0.99 in steps of 0.01, compensated but for a mild hump over range
   kReflectivity,  ///< 0..255; 0..100 diffuse, above retro-reflectors
   kByte,          ///< 0..255, linear in reflectance
+  kRaw,           ///< 0..1, falls with the square of the range and the incidence angle
 };
 
 /// A spinning LiDAR.
@@ -29,6 +30,7 @@ struct SensorModel {
   double angular_noise = 0.02;  ///< sigma, degrees
   double dropout = 0.02;        ///< share of pulses lost anywhere
   double gain_scatter = 0.15;   ///< sigma of the constant gain of each laser, relative
+  double edge_mixing = 0.1;     ///< share of pulses at a depth step whose echo lies in between
 };
 
 /// "hdl64", "hdl32", "vlp16" or "os1_64" with the beam tables of method.md 8.2.
@@ -38,8 +40,13 @@ SensorModel sensorModel(const std::string& name);
 /// Intensity of a return in the sensor's unit. @param gain of the laser, about 1
 float modelIntensity(const SensorModel& sensor, const RayHit& hit, double gain, Random& random);
 
-/// True when the pulse of this hit does not come back: chance, dark surface at a grazing angle,
-/// glass, or too far for its reflectance.
-bool isLost(const SensorModel& sensor, const RayHit& hit, Random& random);
+/// What becomes of the pulse of a hit.
+enum class Fate {
+  kReturned,
+  kLost,     ///< chance, dark surface at a grazing angle, or too far for its reflectance
+  kThrough,  ///< it goes on behind glass
+};
+
+Fate fateOf(const SensorModel& sensor, const RayHit& hit, Random& random);
 
 }  // namespace segdf
