@@ -51,7 +51,9 @@ std::unique_ptr<ScanSource> OfflineRunner::openSource() const {
     }
     return bag;
   }
-  auto folder = std::make_unique<KittiSource>(options_.kitti, options_.rate);
+  const FrameRange frames =
+      options_.frames.empty() ? FrameRange{} : parseFrameRange(options_.frames);
+  auto folder = std::make_unique<KittiSource>(options_.kitti, options_.rate, frames);
   if (folder->timesAssumed()) {
     warn("no times.txt in " + options_.kitti.string() + ": " + formatNumber(options_.rate) +
          " scans a second assumed; set --rate if that is wrong");

@@ -18,6 +18,7 @@ struct OfflineOptions {
   std::filesystem::path kitti;
   std::filesystem::path output;
   std::filesystem::path config;
+  std::string frames;  ///< of the folder, as parseFrameRange reads them; empty: all
   std::string sensor;  ///< empty: recognised from the first scan
   std::string mode;    ///< empty: as configured
   std::string cloud_topic;

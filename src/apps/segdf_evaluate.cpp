@@ -1,146 +1,148 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the labels of a run with ground truth.
-#include <algorithm>
-#include <array>
+// Compares the labels of a run, or any map, with ground truth.
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "segdf/core/config.hpp"
-#include "segdf/evaluation/index_protocol.hpp"
 #include "segdf/io/atomic_file.hpp"
-#include "segdf/io/kitti_source.hpp"
-#include "segdf/io/label_file.hpp"
+#include "segdf/io/scan_source.hpp"
 
+#include "evaluate_drive.hpp"
+#include "evaluate_protocols.hpp"
+#include "evaluate_text.hpp"
 #include "run_app.hpp"
 #include <nlohmann/json.hpp>
 
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-using segdf::IndexProtocol;
 using segdf::IoError;
-using segdf::Share;
-
-constexpr std::array<const char*, IndexProtocol::kMovingClasses> kClassNames{
-    "car", "bicyclist", "person", "motorcyclist", "on-rails", "bus", "truck", "other-vehicle"};
+using segdf::apps::DriveScores;
+using segdf::apps::LabelledDrive;
+using segdf::apps::ProtocolChoice;
+using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string kitti;
-  std::string labels;
+  std::vector<std::string> kitti;
+  std::vector<std::string> labels;
+  std::vector<std::string> maps;
+  std::vector<double> map_pose;
+  std::string map_labels;
+  std::string protocol;
+  std::string frames;
   std::string json;
-  double range = 50.0;
+  ProtocolChoice choice;
 };
 
-std::size_t countLabels(const fs::path& folder) {
-  if (!fs::is_directory(folder))
-    throw IoError("no folder " + folder.string() + " with .label files");
-  return static_cast<std::size_t>(
-      std::count_if(fs::directory_iterator(folder), fs::directory_iterator(),
-                    [](const auto& entry) { return entry.path().extension() == ".label"; }));
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("--kitti", options.kitti,
+                 "drive with velodyne/, labels/ and poses; several in one report")
+      ->required();
+  auto* scored = app.add_option_group("scored");
+  scored->add_option("--labels", options.labels,
+                     "labels/ folder that segdf_offline wrote, one for each drive");
+  scored->add_option("--map", options.maps, "static map of any tool (PCD), one for each drive");
+  scored->require_option(1);
+  app.add_option(
+         "--protocol", options.protocol,
+         "index (default with --labels), draft, erasor, dynamicmap (default with --map) or all")
+      ->check(CLI::IsMember({"index", "draft", "erasor", "dynamicmap", "all"}));
+  app.add_option("--frames", options.frames,
+                 "only these scans of the drives, FIRST:LAST:STEP, ends inclusive");
+  app.add_option("--range", options.choice.range,
+                 "points within this distance are scored, m (default 50)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--spacing", options.choice.spacing,
+                 "between the draft's scans, m (default 2; 0: every scan, for maps made of all)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--map-pose", options.map_pose,
+                 "X Y Z ROLL PITCH YAW of the map's frame in the truth's, m and deg")
+      ->expected(6);
+  app.add_option("--map-labels", options.map_labels,
+                 "field of the map with truth labels for erasor (default: from the nearest truth)");
+  app.add_option("--json", options.json, "also write the figures here");
 }
 
-void requireLabels(const fs::path& folder, std::size_t scans) {
-  const std::size_t labels = countLabels(folder);
-  if (labels == scans) return;
-  throw IoError(std::to_string(labels) + " label files in " + folder.string() + " for " +
-                std::to_string(scans) + " scans; are they of the same drive?");
-}
-
-std::vector<std::uint32_t> readFor(const fs::path& file, std::size_t points) {
-  std::vector<std::uint32_t> labels = segdf::readLabels(file);
-  if (labels.size() == points) return labels;
-  throw IoError("label file " + file.string() + " has " + std::to_string(labels.size()) +
-                " labels for a scan of " + std::to_string(points) +
-                " points; is it of the same drive?");
-}
-
-IndexProtocol score(const Options& options) {
-  segdf::KittiSource source(options.kitti);
-  const fs::path truth = fs::path(options.kitti) / "labels";
-  const fs::path estimate = options.labels;
-  requireLabels(truth, source.size());
-  requireLabels(estimate, source.size());
-  IndexProtocol protocol(options.range);
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const segdf::Scan scan = *source.next();
-    std::ostringstream
-        number;  // segdf numbers its label files from 0, whatever the scans are called
-    number << std::setw(6) << std::setfill('0') << i << ".label";
-    protocol.add(scan.points, readFor(truth / (source.nameOf(i) + ".label"), scan.points.size()),
-                 readFor(estimate / number.str(), scan.points.size()));
+/// What the options say together. @throws IoError
+void settle(Options& options) {
+  const std::size_t scored = options.labels.size() + options.maps.size();
+  if (scored != options.kitti.size()) {
+    throw IoError(std::to_string(options.kitti.size()) + " drives (--kitti) but " +
+                  std::to_string(scored) + " results (--labels or --map); give one for each");
   }
-  if (protocol.scoredPoints() == 0) {
-    throw IoError("no point of " + options.kitti +
-                  " can be scored: all are of class 0 or 1 or beyond " +
-                  segdf::formatNumber(options.range) + " m");
+  const bool by_map = !options.maps.empty();
+  if (options.protocol.empty()) options.protocol = by_map ? "dynamicmap" : "index";
+  if (by_map && options.protocol == "index") {
+    throw IoError("--protocol index needs --labels: the points of a map have no index in a scan");
   }
-  return protocol;
+  const auto wants = [&options](const char* name) {
+    return options.protocol == name || options.protocol == "all";
+  };
+  options.choice.index = !by_map && wants("index");
+  options.choice.draft = wants("draft");
+  options.choice.erasor = wants("erasor");
+  options.choice.map = wants("dynamicmap");
 }
 
-std::string percentText(const std::optional<double>& percent) {
-  if (!percent) return "-";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << *percent;
-  return text.str();
+/// truth_T_map from x y z (m) roll pitch yaw (deg).
+Eigen::Isometry3f mapPose(const std::vector<double>& numbers) {
+  Eigen::Isometry3d truth_T_map = Eigen::Isometry3d::Identity();
+  if (numbers.empty()) return truth_T_map.cast<float>();
+  constexpr double kRadians = 3.14159265358979323846 / 180.0;
+  truth_T_map.translation() = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  truth_T_map.linear() = (Eigen::AngleAxisd(numbers[5] * kRadians, Eigen::Vector3d::UnitZ()) *
+                          Eigen::AngleAxisd(numbers[4] * kRadians, Eigen::Vector3d::UnitY()) *
+                          Eigen::AngleAxisd(numbers[3] * kRadians, Eigen::Vector3d::UnitX()))
+                             .toRotationMatrix();
+  return truth_T_map.cast<float>();
 }
 
-void print(const IndexProtocol& protocol) {
-  const Share instances = protocol.instancesRemoved();
-  std::cout << "by point index, " << protocol.scoredPoints() << " points scored\n"
-            << "SA " << percentText(protocol.staticKept().percent()) << "  DA "
-            << percentText(protocol.movingRemoved().percent()) << "  AA "
-            << percentText(protocol.associatedAccuracy()) << "  HA "
-            << percentText(protocol.harmonicAccuracy()) << '\n'
-            << "parked SA " << percentText(protocol.parkedKept().percent()) << '\n'
-            << "instances removed " << instances.part << " of " << instances.whole << '\n';
-  for (std::size_t k = 0; k < kClassNames.size(); ++k) {
-    const Share& share = protocol.movingByClass()[k];
-    if (share.whole == 0) continue;
-    std::cout << "DA " << kClassNames[k] << ' ' << percentText(share.percent()) << " ("
-              << share.whole << " points)\n";
+segdf::MapCloud loadMap(const Options& options, std::size_t k) {
+  segdf::MapCloud map = segdf::readMap(options.maps[k], options.map_labels);
+  if (map.not_finite > 0) {
+    std::cerr << "warning: " << map.not_finite << " points of " << options.maps[k]
+              << " have NaN or infinite coordinates and are left out\n";
   }
+  if (options.map_pose.empty()) return map;
+  const Eigen::Isometry3f truth_T_map = mapPose(options.map_pose);
+  for (Eigen::Vector3f& point : map.points) point = truth_T_map * point;
+  return map;
 }
 
-Json toJson(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+DriveScores score(const Options& options, std::size_t k) {
+  const segdf::FrameRange frames =
+      options.frames.empty() ? segdf::FrameRange{} : segdf::parseFrameRange(options.frames);
+  const bool by_map = !options.maps.empty();
+  const LabelledDrive drive(options.kitti[k], by_map ? "" : options.labels[k], frames);
+  return by_map ? segdf::apps::scoreMap(drive, loadMap(options, k), options.choice)
+                : segdf::apps::scoreLabels(drive, options.choice);
+}
 
-void writeJson(const IndexProtocol& protocol, const fs::path& file) {
-  Json json;
-  json["protocol"] = "by point index";
-  json["points"] = protocol.scoredPoints();
-  json["SA"] = toJson(protocol.staticKept().percent());
-  json["DA"] = toJson(protocol.movingRemoved().percent());
-  json["AA"] = toJson(protocol.associatedAccuracy());
-  json["HA"] = toJson(protocol.harmonicAccuracy());
-  json["parked_SA"] = toJson(protocol.parkedKept().percent());
-  json["instances_removed"] = protocol.instancesRemoved().part;
-  json["instances"] = protocol.instancesRemoved().whole;
-  for (std::size_t k = 0; k < kClassNames.size(); ++k) {
-    json["DA_by_class"][kClassNames[k]] = toJson(protocol.movingByClass()[k].percent());
-  }
+void writeJson(const Json& drives, const std::string& file) {
   segdf::AtomicFile out(file);
-  out.write(json.dump(2) + "\n");
+  out.write((drives.size() == 1 ? drives.front() : Json{{"drives", drives}}).dump(2) + "\n");
   out.commit();
+}
+
+int evaluate(Options& options) {
+  settle(options);
+  Json drives = Json::array();
+  for (std::size_t k = 0; k < options.kitti.size(); ++k) {
+    const DriveScores scores = score(options, k);
+    if (options.kitti.size() > 1) std::cout << "== " << scores.name << '\n';
+    segdf::apps::printScores(std::cout, scores, options.choice);
+    drives.push_back(segdf::apps::toJson(scores, options.choice));
+  }
+  if (!options.json.empty()) writeJson(drives, options.json);
+  return segdf::apps::kOk;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Compares the labels of a run with ground truth, point by point.", "segdf_evaluate");
+  CLI::App app("Compares the labels of a run, or any static map, with ground truth.",
+               "segdf_evaluate");
   Options options;
-  app.add_option("--kitti", options.kitti, "drive with velodyne/, labels/ and poses")->required();
-  app.add_option("--labels", options.labels, "labels/ folder that segdf_offline wrote")->required();
-  app.add_option("--range", options.range, "points within this distance are scored, m (default 50)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--json", options.json, "also write the figures here");
-  return segdf::apps::runApp(app, argc, argv, [&options] {
-    const IndexProtocol protocol = score(options);
-    print(protocol);
-    if (!options.json.empty()) writeJson(protocol, options.json);
-    return static_cast<int>(segdf::apps::kOk);
-  });
+  addOptions(app, options);
+  return segdf::apps::runApp(app, argc, argv, [&options] { return evaluate(options); });
 }

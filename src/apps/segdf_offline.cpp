@@ -26,6 +26,8 @@ void addOptions(CLI::App& app, OfflineOptions& options) {
   app.add_option("--mode", options.mode, "dynamic filter: literal");
   app.add_option("--threads", options.threads, "worker threads (default 1); same results with any")
       ->check(CLI::Range(1, 256));
+  app.add_option("--frames", options.frames,
+                 "only these scans of the folder, FIRST:LAST:STEP, ends inclusive");
   app.add_option("--rate", options.rate,
                  "scans a second of a folder without times.txt (default 10)")
       ->check(CLI::PositiveNumber);
@@ -36,6 +38,9 @@ void addOptions(CLI::App& app, OfflineOptions& options) {
     if (print->count() > 0) return;
     if (options.bag.empty() && options.kitti.empty()) {
       throw CLI::RequiredError("--bag FILE or --kitti DIR");
+    }
+    if (!options.frames.empty() && options.kitti.empty()) {
+      throw CLI::RequiresError("--frames", "--kitti DIR");
     }
     if (options.output.empty()) throw CLI::RequiredError("--output DIR");
   });

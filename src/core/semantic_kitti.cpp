@@ -44,6 +44,11 @@ bool isParkedMovable(std::uint16_t semantic_class) {
   return std::find(kMovable.begin(), kMovable.end(), semantic_class) != kMovable.end();
 }
 
+bool isGround(std::uint16_t semantic_class) {
+  constexpr std::array<std::uint16_t, 6> kGround{40, 44, 48, 49, 60, 72};
+  return std::find(kGround.begin(), kGround.end(), semantic_class) != kGround.end();
+}
+
 std::uint32_t encode(const PointLabel& label) {
   const std::uint32_t instance = label.instance <= kMaxInstance ? label.instance : 0;
   return (instance << 16U) | semanticClass(label);

@@ -82,10 +82,28 @@ std::vector<Point> readPoints(const fs::path& file) {
   return points;
 }
 
+std::vector<std::size_t> select(const FrameRange& frames,
+                                std::size_t scans,
+                                const fs::path& folder) {
+  if (!frames.isAll() && frames.last >= scans) {
+    throw IoError("frames up to " + std::to_string(frames.last) + " are asked for, but " +
+                  folder.string() + " has " + std::to_string(scans) + " scans (0 to " +
+                  std::to_string(scans - 1) + ")");
+  }
+  std::vector<std::size_t> selected;
+  for (std::size_t i = frames.first; i < scans && i <= frames.last; i += frames.step) {
+    selected.push_back(i);
+  }
+  return selected;
+}
+
 }  // namespace
 
-KittiSource::KittiSource(const fs::path& folder, double assumed_rate_hz)
-    : folder_(folder), files_(listScans(folder)), poses_(readLidarPoses(folder)) {
+KittiSource::KittiSource(const fs::path& folder, double assumed_rate_hz, const FrameRange& frames)
+    : folder_(folder),
+      files_(listScans(folder)),
+      poses_(readLidarPoses(folder)),
+      selected_(select(frames, files_.size(), folder)) {
   requireCount("poses", poses_.size(), files_.size(), folder);
   if (fs::exists(folder / "times.txt")) {
     times_ = readTimes(folder / "times.txt");
@@ -99,18 +117,23 @@ KittiSource::KittiSource(const fs::path& folder, double assumed_rate_hz)
 }
 
 std::optional<Scan> KittiSource::next() {
-  if (next_ == files_.size()) return std::nullopt;
-  const std::size_t i = next_++;
+  std::optional<Scan> scan = nextWithoutRings();
+  if (scan) recoverRings(scan->points);  // an interleaved file stays without rings
+  return scan;
+}
+
+std::optional<Scan> KittiSource::nextWithoutRings() {
+  if (next_ == selected_.size()) return std::nullopt;
+  const std::size_t i = selected_[next_++];
   Scan scan;
   scan.points = readPoints(files_[i]);
-  recoverRings(scan.points);  // an interleaved file stays without rings
   scan.pose = poses_[i];
   scan.stamp_ns = std::llround(times_[i] * 1e9);
   return scan;
 }
 
 std::string KittiSource::describe() const {
-  return "KITTI folder " + folder_.string() + " (" + std::to_string(files_.size()) + " scans)";
+  return "KITTI folder " + folder_.string() + " (" + std::to_string(size()) + " scans)";
 }
 
 Pose defaultCalibration() {

@@ -6,11 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include <png.h>
-
 #include "segdf/core/semantic_kitti.hpp"
-#include "segdf/io/atomic_file.hpp"
-#include "segdf/io/scan_source.hpp"
+#include "segdf/io/png_file.hpp"
 
 namespace segdf {
 
@@ -148,17 +145,7 @@ void TopDownImage::write(const std::filesystem::path& file) {
   }
   drawTrajectory(rgb);
   drawScale(rgb);
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width_);
-  image.height = static_cast<png_uint_32>(height_);
-  image.format = PNG_FORMAT_RGB;
-  AtomicFile out(file);
-  if (png_image_write_to_file(&image, out.temporaryPath().c_str(), 0, rgb.data(), 0, nullptr) ==
-      0) {
-    throw IoError("cannot write " + file.string() + ": " + image.message);
-  }
-  out.commit();
+  writePng(file, {width_, height_, std::move(rgb)});
 }
 
 }  // namespace segdf

@@ -37,47 +37,47 @@ TEST(IndexProtocol, HandComputedExample) {
   add(protocol, 1, label(10), kRemoved);
   add(protocol, 16, label(252, 3), kRemoved);  // 16 of 25 moving removed
   add(protocol, 9, label(254, 4), kKept);
-  EXPECT_DOUBLE_EQ(*protocol.staticKept().percent(), 93.0);
-  EXPECT_DOUBLE_EQ(*protocol.movingRemoved().percent(), 64.0);
-  EXPECT_DOUBLE_EQ(*protocol.parkedKept().percent(), 75.0);
-  EXPECT_DOUBLE_EQ(*protocol.associatedAccuracy(), std::sqrt(93.0 * 64.0));
-  EXPECT_DOUBLE_EQ(*protocol.harmonicAccuracy(), 2.0 * 93.0 * 64.0 / 157.0);
-  EXPECT_DOUBLE_EQ(*protocol.movingByClass()[0].percent(), 100.0);
-  EXPECT_DOUBLE_EQ(*protocol.movingByClass()[2].percent(), 0.0);
-  EXPECT_FALSE(protocol.movingByClass()[1].percent());
-  EXPECT_EQ(protocol.scoredPoints(), 125U);
+  EXPECT_DOUBLE_EQ(*protocol.scores().staticKept().percent(), 93.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().movingRemoved().percent(), 64.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().parkedKept().percent(), 75.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().associatedAccuracy(), std::sqrt(93.0 * 64.0));
+  EXPECT_DOUBLE_EQ(*protocol.scores().harmonicAccuracy(), 2.0 * 93.0 * 64.0 / 157.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().rightOfClass(252).percent(), 100.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().rightOfClass(254).percent(), 0.0);
+  EXPECT_FALSE(protocol.scores().rightOfClass(253).percent());
+  EXPECT_EQ(protocol.scores().scoredPoints(), 125U);
 }
 
 TEST(IndexProtocol, UnjudgedIsNotInTheMap) {
   IndexProtocol protocol;
   add(protocol, 1, label(50), kUnjudged);
   add(protocol, 1, label(252), kUnjudged);
-  EXPECT_DOUBLE_EQ(*protocol.staticKept().percent(), 0.0);
-  EXPECT_DOUBLE_EQ(*protocol.movingRemoved().percent(), 100.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().staticKept().percent(), 0.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().movingRemoved().percent(), 100.0);
 }
 
 TEST(IndexProtocol, TheInstanceHalfOfTheEstimateDoesNotMatter) {
   IndexProtocol protocol;
   add(protocol, 1, label(252), label(kRemoved, 77));
-  EXPECT_DOUBLE_EQ(*protocol.movingRemoved().percent(), 100.0);
+  EXPECT_DOUBLE_EQ(*protocol.scores().movingRemoved().percent(), 100.0);
 }
 
 TEST(IndexProtocol, UnlabelledAndOutliersAreNotScored) {
   IndexProtocol protocol;
   add(protocol, 5, label(0), kKept);
   add(protocol, 5, label(1), kRemoved);
-  EXPECT_EQ(protocol.scoredPoints(), 0U);
+  EXPECT_EQ(protocol.scores().scoredPoints(), 0U);
   add(protocol, 5, label(9), kKept);
-  EXPECT_EQ(protocol.scoredPoints(), 5U);
+  EXPECT_EQ(protocol.scores().scoredPoints(), 5U);
 }
 
 TEST(IndexProtocol, TheRangeIsInclusiveAndNaNIsOutside) {
   IndexProtocol protocol(50.0);
   add(protocol, 1, label(50), kKept, 50.0F);
-  EXPECT_EQ(protocol.scoredPoints(), 1U);
+  EXPECT_EQ(protocol.scores().scoredPoints(), 1U);
   add(protocol, 1, label(50), kKept, 50.001F);
   add(protocol, 1, label(50), kKept, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_EQ(protocol.scoredPoints(), 1U);
+  EXPECT_EQ(protocol.scores().scoredPoints(), 1U);
 }
 
 TEST(IndexProtocol, ClassesAtTheEdgesOfMoving) {
@@ -85,27 +85,27 @@ TEST(IndexProtocol, ClassesAtTheEdgesOfMoving) {
   add(protocol, 1, label(251), kKept);  // not a moving class
   add(protocol, 1, label(252), kRemoved);
   add(protocol, 1, label(259), kRemoved);
-  EXPECT_EQ(protocol.staticKept().whole, 1U);
-  EXPECT_EQ(protocol.movingRemoved().whole, 2U);
-  EXPECT_EQ(protocol.movingByClass()[7].whole, 1U);
+  EXPECT_EQ(protocol.scores().staticKept().whole, 1U);
+  EXPECT_EQ(protocol.scores().movingRemoved().whole, 2U);
+  EXPECT_EQ(protocol.scores().rightOfClass(259).whole, 1U);
 }
 
 TEST(IndexProtocol, AnInstanceCountsFromTwentyPointsOverAllScans) {
   IndexProtocol protocol;
   add(protocol, 10, label(252, 1), kRemoved);
   add(protocol, 9, label(252, 1), kRemoved);
-  EXPECT_EQ(protocol.instancesRemoved().whole, 0U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().whole, 0U);
   add(protocol, 1, label(252, 1), kRemoved);
-  EXPECT_EQ(protocol.instancesRemoved().whole, 1U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().whole, 1U);
 }
 
 TEST(IndexProtocol, AnInstanceIsRemovedFromHalfOfItsPoints) {
   IndexProtocol protocol;
   add(protocol, 10, label(252, 1), kRemoved);
   add(protocol, 10, label(252, 1), kKept);
-  EXPECT_EQ(protocol.instancesRemoved().part, 1U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().part, 1U);
   add(protocol, 1, label(252, 1), kKept);
-  EXPECT_EQ(protocol.instancesRemoved().part, 0U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().part, 0U);
 }
 
 TEST(IndexProtocol, InstancesAreToldApartByClassAndIdAndZeroIsNone) {
@@ -113,25 +113,53 @@ TEST(IndexProtocol, InstancesAreToldApartByClassAndIdAndZeroIsNone) {
   add(protocol, 20, label(252, 1), kRemoved);
   add(protocol, 20, label(254, 1), kKept);
   add(protocol, 20, label(252, 0), kRemoved);
-  EXPECT_EQ(protocol.instancesRemoved().whole, 2U);
-  EXPECT_EQ(protocol.instancesRemoved().part, 1U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().whole, 2U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().part, 1U);
+}
+
+TEST(IndexProtocol, AStaticInstanceHalfRemovedIsAFalseOne) {
+  IndexProtocol protocol;
+  add(protocol, 10, label(10, 1), kKept);
+  add(protocol, 10, label(10, 1), kRemoved);
+  add(protocol, 11, label(10, 2), kKept);
+  add(protocol, 9, label(10, 2), kRemoved);
+  add(protocol, 19, label(10, 3), kRemoved);  // too few points to count
+  EXPECT_EQ(protocol.scores().falseInstances().part, 1U);
+  EXPECT_EQ(protocol.scores().falseInstances().whole, 2U);
+  EXPECT_EQ(protocol.scores().instancesRemoved().whole, 0U);
+}
+
+TEST(IndexProtocol, FiguresByClassAndRangeBand) {
+  IndexProtocol protocol(80.0);
+  add(protocol, 3, label(40), kKept, 9.99F);
+  add(protocol, 1, label(40), kRemoved, 9.99F);
+  add(protocol, 2, label(70), kKept, 10.0F);
+  add(protocol, 5, label(252), kRemoved, 49.0F);
+  add(protocol, 5, label(252), kKept, 79.0F);
+  const PointScores& scores = protocol.scores();
+  EXPECT_DOUBLE_EQ(*scores.staticKeptByBand()[0].percent(), 75.0);
+  EXPECT_EQ(scores.staticKeptByBand()[1].whole, 2U);
+  EXPECT_DOUBLE_EQ(*scores.movingRemovedByBand()[4].percent(), 100.0);
+  EXPECT_DOUBLE_EQ(*scores.movingRemovedByBand()[5].percent(), 0.0) << "the last band has no end";
+  EXPECT_EQ(scores.rightByClass().at(40)[0].part, 3U);
+  EXPECT_DOUBLE_EQ(*scores.groundKept().percent(), 75.0) << "vegetation is no ground";
 }
 
 TEST(IndexProtocol, WhatIsNotThereHasNoFigure) {
   IndexProtocol protocol;
   add(protocol, 5, label(50), kKept);
-  EXPECT_FALSE(protocol.movingRemoved().percent());
-  EXPECT_FALSE(protocol.parkedKept().percent());
-  EXPECT_FALSE(protocol.associatedAccuracy());
-  EXPECT_FALSE(protocol.harmonicAccuracy());
+  EXPECT_FALSE(protocol.scores().movingRemoved().percent());
+  EXPECT_FALSE(protocol.scores().parkedKept().percent());
+  EXPECT_FALSE(protocol.scores().associatedAccuracy());
+  EXPECT_FALSE(protocol.scores().harmonicAccuracy());
 }
 
 TEST(IndexProtocol, RemovingNothingAndEverythingScoreZero) {
   IndexProtocol nothing;
   add(nothing, 5, label(50), kKept);
   add(nothing, 5, label(252), kKept);
-  EXPECT_DOUBLE_EQ(*nothing.associatedAccuracy(), 0.0);
-  EXPECT_DOUBLE_EQ(*nothing.harmonicAccuracy(), 0.0);
+  EXPECT_DOUBLE_EQ(*nothing.scores().associatedAccuracy(), 0.0);
+  EXPECT_DOUBLE_EQ(*nothing.scores().harmonicAccuracy(), 0.0);
 }
 
 TEST(IndexProtocol, ListsOfDifferentLengthAreRefused) {

@@ -40,6 +40,9 @@ constexpr bool isIgnored(std::uint16_t semantic_class) { return semantic_class <
 /// Ground truth: 10 11 13 15 16 18 20 30 31 32, classes that can move, standing still.
 bool isParkedMovable(std::uint16_t semantic_class);
 
+/// Ground truth: 40 44 48 49 60 72, what one drives and walks on.
+bool isGround(std::uint16_t semantic_class);
+
 /// Codes a verdict as in docs: 0, 9, 10, 40, 50, 70 or 251. Instance ids above 65535 do not fit in
 /// the upper half and are written as 0 (none); the map and instances.csv keep them whole.
 std::uint32_t encode(const PointLabel& label);

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "segdf/evaluation/draft_protocol.hpp"
+#include "segdf/evaluation/erasor_protocol.hpp"
+#include "segdf/evaluation/point_scores.hpp"
+#include "segdf/io/map_file.hpp"
+
+#include "evaluate_drive.hpp"
+
+namespace segdf::apps {
+
+/// Which protocols to score with, and their settings.
+struct ProtocolChoice {
+  bool index = false;
+  bool draft = false;
+  bool erasor = false;
+  bool map = false;      ///< DynamicMap benchmark
+  double range = 50.0;   ///< metres
+  double spacing = 2.0;  ///< of the draft's scans, metres
+};
+
+/// What a drive scored, by each protocol that was asked for.
+struct DriveScores {
+  std::string name;
+  std::size_t scans = 0;
+  std::size_t draft_scans = 0;  ///< of them, those that the draft's protocol took
+  std::optional<PointScores> index;
+  std::optional<DraftScores> draft;
+  std::optional<VoxelScores> erasor;
+  std::optional<PointScores> map;
+};
+
+/// Scores the labels of a drive. @throws IoError
+DriveScores scoreLabels(const LabelledDrive& drive, const ProtocolChoice& choice);
+
+/// Scores a map against a drive's truth. Classes for ERASOR's protocol are the map's own labels
+/// where it has them, else those of the nearest points of the truth.
+/// @throws IoError when the map does not lie on the truth
+DriveScores scoreMap(const LabelledDrive& drive, const MapCloud& map, const ProtocolChoice& choice);
+
+}  // namespace segdf::apps

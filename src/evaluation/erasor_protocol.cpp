@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/evaluation/erasor_protocol.hpp"
+
+#include <cmath>
+
+#include "segdf/core/semantic_kitti.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr double kTransferReach = 0.6;  // metres
+// Near points are found in the first cells; few points have their nearest neighbour further away.
+constexpr double kTransferCell = 0.1;  // metres
+
+}  // namespace
+
+std::optional<double> VoxelScores::rejectionRate() const {
+  const auto remaining = remaining_dynamic.percent();
+  if (!remaining) return std::nullopt;
+  return 100.0 - *remaining;
+}
+
+std::optional<double> VoxelScores::f1() const {
+  const auto pr = preservationRate();
+  const auto rr = rejectionRate();
+  if (!pr || !rr) return std::nullopt;
+  return *pr + *rr > 0.0 ? 0.01 * 2.0 * *pr * *rr / (*pr + *rr) : 0.0;
+}
+
+bool VoxelMapBuilder::takes(const Eigen::Vector3f& in_sensor) {
+  // A NaN coordinate compares false and is left out.
+  return in_sensor.allFinite() && in_sensor.head<2>().cast<double>().norm() >= kMinRange;
+}
+
+VoxelScores compareVoxelMaps(const ClassedPoints& truth, const ClassedPoints& estimate) {
+  const double limit = 0.5 * std::sqrt(3.0) * VoxelMapBuilder::kLeaf;
+  const PointGrid grid(estimate.points, VoxelMapBuilder::kLeaf);
+  VoxelScores scores;
+  for (std::size_t g = 0; g < truth.points.size(); ++g) {
+    const bool dynamic = semantic_kitti::isMoving(truth.classes[g]);
+    const auto nearest = grid.nearest(truth.points[g], limit);
+    const bool inlier = nearest && nearest->distance < limit &&
+                        semantic_kitti::isMoving(estimate.classes[nearest->index]) == dynamic;
+    (dynamic ? scores.remaining_dynamic : scores.preserved).count(inlier);
+  }
+  return scores;
+}
+
+ClassedPoints transferClasses(const ClassedPoints& truth, const std::vector<Eigen::Vector3f>& map) {
+  const PointGrid grid(truth.points, kTransferCell);
+  ClassedPoints labelled;
+  labelled.points = map;
+  labelled.classes.reserve(map.size());
+  for (const Eigen::Vector3f& point : map) {
+    const auto nearest = grid.nearest(point, kTransferReach);
+    labelled.classes.push_back(nearest ? truth.classes[nearest->index]
+                                       : semantic_kitti::kUnlabelled);
+  }
+  return labelled;
+}
+
+}  // namespace segdf
