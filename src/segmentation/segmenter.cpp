@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "segdf/core/parallel.hpp"
 #include "segdf/core/stage_timer.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/intensity.hpp"
+#include "segdf/segmentation/object_feet.hpp"
 
 namespace segdf {
 
@@ -23,16 +25,29 @@ bool isOnVehicle(const Point& p, const InputConfig& config) {
   return x > box[0] && x < box[1] && y > box[2] && y < box[3];
 }
 
-void markGround(const Scan& scan, const Config& config, int threads, Segmentation& seg) {
-  const Ground ground = extractGround(scan.points, seg.roles, config.ground, threads);
+/// Ground, with feet and wheels given back to what stands on them, and heights over it.
+void markGround(const Scan& scan,
+                const RangeImage& image,
+                const Config& config,
+                int threads,
+                Segmentation& seg) {
+  Ground ground = extractGround(scan.points, seg.roles, config.ground, threads);
   for (std::size_t i = 0; i < seg.roles.size(); ++i) {
     if (ground.is_ground[i] != 0) seg.roles[i] = PointRole::kGround;
   }
+  releaseStanding(scan.points, image, config.ground, threads, seg.roles);
+  for (std::size_t i = 0; i < seg.roles.size(); ++i) {
+    if (seg.roles[i] != PointRole::kGround) ground.is_ground[i] = 0;
+  }
   seg.height = heightOverGround(scan.points, ground, config.ground.l_max);
+  releaseTouching(scan.points, image, seg.height, config.ground, threads, seg.roles);
 }
 
-void estimateSurfaces(const Scan& scan, const Config& config, int threads, Segmentation& seg) {
-  const RangeImage image(scan.points, seg.roles, config.range_image);
+void describeSurfaces(const Scan& scan,
+                      const RangeImage& image,
+                      const Config& config,
+                      int threads,
+                      Segmentation& seg) {
   seg.surfaces = estimateSurfaces(scan.points, seg.roles, image, config.range_image, threads);
   seg.row.resize(scan.points.size());
   seg.column.resize(scan.points.size());
@@ -106,13 +121,15 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
   seg.roles = selectPoints(scan.points, config.input);
   seg.non_finite_points = static_cast<std::size_t>(std::count_if(
       scan.points.begin(), scan.points.end(), [](const Point& p) { return !isFinite(p); }));
+  std::optional<RangeImage> image;
   {
     const StageTimer timer(times.ground);
-    markGround(scan, config, threads, seg);
+    image.emplace(scan.points, seg.roles, config.range_image);
+    markGround(scan, *image, config, threads, seg);
   }
   {
     const StageTimer timer(times.normals);
-    estimateSurfaces(scan, config, threads, seg);
+    describeSurfaces(scan, *image, config, threads, seg);
   }
   const StageTimer timer(times.clustering);
   const std::vector<float> intensity =

@@ -117,9 +117,11 @@ void addScan(const Labelled& l, const Config& config, bool brief, Scores& scores
 }
 
 void printGround(const GroundScore& g) {
-  std::cout << "ground: precision " << g.precision.percent() << "  recall " << g.recall.percent()
-            << "  F1 " << g.f1()
-            << "\nlabelled ground of movable instances: " << g.movable.percent() << " % of "
+  if (g.recall.whole > 0.0) {
+    std::cout << "ground: precision " << g.precision.percent() << "  recall " << g.recall.percent()
+              << "  F1 " << g.f1() << '\n';
+  }
+  std::cout << "labelled ground of movable instances: " << g.movable.percent() << " % of "
             << g.movable.whole << " points, of moving ones " << g.moving.percent() << " % of "
             << g.moving.whole << "\n";
 }

@@ -74,6 +74,10 @@ struct GroundConfig {
   double wall_dist = 0.1;
   std::array<double, 4> elevation{0.523, 0.746, 0.879, 1.125};
   std::array<double, 4> flatness{0.0005, 0.000725, 0.001, 0.001};
+  double foot_reach = 0.3;
+  double foot_rise = 0.15;
+  double touch_reach = 0.2;
+  double touch_height = 0.04;
 
   template <class Self, class Visitor>
   static void visit(Self& s, Visitor& v) {
@@ -94,6 +98,13 @@ struct GroundConfig {
               "rings 0..3: highest patch mean above the expected ground");
     v.numbers("flatness", s.flatness, 0.0, 1.0, "",
               "rings 0..3: a higher patch is ground when its change of curvature is below");
+    v.number("foot_reach", s.foot_reach, 0.0, 5.0, "m",
+             "no ground: the lasers above see something nearer to the point than this ...");
+    v.number("foot_rise", s.foot_rise, 0.01, 5.0, "m", "... that rises over it by this");
+    v.number("touch_reach", s.touch_reach, 0.0, 5.0, "m",
+             "no ground: an object point is nearer than this ...");
+    v.number("touch_height", s.touch_height, 0.0, 5.0, "m",
+             "... and the point this high over the local ground");
   }
 };
 
