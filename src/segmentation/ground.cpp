@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 
 #include "segdf/core/parallel.hpp"
 #include "segdf/segmentation/ground_zones.hpp"
@@ -28,6 +29,13 @@ struct Plane {
   double flatness = 0.0;  ///< smallest eigenvalue over the sum
 
   double signedDistance(const Eigen::Vector3d& x) const { return normal.dot(x - mean); }
+};
+
+/// A patch with ground: its plane, and the points among which the ground is.
+struct PatchGround {
+  Plane plane;
+  const PatchPoint* begin = nullptr;
+  const PatchPoint* end = nullptr;
 };
 
 /// Plane through points whose offsets from `origin` are summed in `moments`.
@@ -55,39 +63,34 @@ class PatchFitter {
   PatchFitter(const GroundConfig& config, double sensor_height, int inner_rings)
       : config_(config), sensor_height_(sensor_height), inner_rings_(inner_rings) {}
 
-  /// Marks the ground points among [begin, end).
-  void fit(PatchPoint* begin,
-           PatchPoint* end,
-           int ring,
-           std::vector<std::uint8_t>& is_ground) const {
+  /// Ground of the points in [begin, end); none when they have no plane that can be ground.
+  std::optional<PatchGround> fit(PatchPoint* begin, PatchPoint* end, int ring) const {
     const bool near = ring < inner_rings_;
     if (near)
       end = std::remove_if(begin, end, [&](const PatchPoint& p) { return isReflection(p); });
     if (near) end = dropWalls(begin, end);
-    if (end - begin < config_.n_min) return;
+    if (end - begin < config_.n_min) return std::nullopt;
     const Eigen::Vector3d origin = begin->position();
     Moments ground = seeds(begin, end, origin);
     Plane plane;
     for (int iteration = 0; iteration < config_.n_iter; ++iteration) {
-      if (ground.count < 3.0) return;
+      if (ground.count < 3.0) return std::nullopt;
       plane = fitPlane(ground, origin);
       ground = sum(begin, end, origin, [&](const PatchPoint& p) { return isOn(plane, p); });
     }
-    if (!accepts(plane, ring)) return;
-    for (const PatchPoint* p = begin; p != end; ++p) {
-      if (isOn(plane, *p)) is_ground[p->index] = 1;
-    }
+    if (!accepts(plane, ring)) return std::nullopt;
+    return PatchGround{plane, begin, end};
+  }
+
+  bool isOn(const Plane& plane, const PatchPoint& p) const {
+    const double d = plane.signedDistance(p.position());
+    return d < config_.th_dist && d > -config_.below_tol;
   }
 
  private:
   bool isReflection(const PatchPoint& p) const {
     const double range = p.position().head<2>().norm();
     return static_cast<double>(p.z) < -kReflectionRatio * sensor_height_ - kSteepestRoad * range;
-  }
-
-  bool isOn(const Plane& plane, const PatchPoint& p) const {
-    const double d = plane.signedDistance(p.position());
-    return d < config_.th_dist && d > -config_.below_tol;
   }
 
   template <class Condition>
@@ -150,6 +153,44 @@ class PatchFitter {
   int inner_rings_;
 };
 
+using PatchGrounds = std::vector<std::optional<PatchGround>>;
+
+/// Takes out patches that float: a car's roof or bonnet that fills its patch is as flat and level
+/// as ground, but stands higher over the ground next to it than a road climbs. Goes outwards, so
+/// that what a patch is compared with has been judged.
+class FloatingPatches {
+ public:
+  FloatingPatches(const ConcentricZones& zones, const GroundConfig& config)
+      : zones_(zones), config_(config) {}
+
+  void drop(PatchGrounds& grounds) const {
+    for (int patch = 0; patch < zones_.patches(); ++patch) {
+      auto& ground = grounds[static_cast<std::size_t>(patch)];
+      const PatchGround* inner = innerGround(patch, grounds);
+      if (ground && inner != nullptr && floats(ground->plane, inner->plane)) ground.reset();
+    }
+  }
+
+ private:
+  /// The next ground on the way to the sensor.
+  const PatchGround* innerGround(int patch, const PatchGrounds& grounds) const {
+    for (int inner = zones_.innerNeighbour(patch); inner >= 0;
+         inner = zones_.innerNeighbour(inner)) {
+      const auto& ground = grounds[static_cast<std::size_t>(inner)];
+      if (ground) return &*ground;
+    }
+    return nullptr;
+  }
+
+  bool floats(const Plane& plane, const Plane& below) const {
+    const Eigen::Vector3d way = plane.mean - below.mean;
+    return way.z() > config_.patch_step + config_.patch_slope * way.head<2>().norm();
+  }
+
+  const ConcentricZones& zones_;
+  const GroundConfig& config_;
+};
+
 }  // namespace
 
 Ground extractGround(const std::vector<Point>& points,
@@ -163,11 +204,20 @@ Ground extractGround(const std::vector<Point>& points,
   const ConcentricZones zones(config);
   PatchedPoints patches = sortIntoPatches(points, roles, zones, threads);
   const PatchFitter fitter(config, ground.sensor_height, zones.innerRings());
-  parallelFor(static_cast<std::size_t>(zones.patches()), threads, [&](std::size_t patch) {
+  const auto count = static_cast<std::size_t>(zones.patches());
+  PatchGrounds grounds(count);
+  parallelFor(count, threads, [&](std::size_t patch) {
     PatchPoint* first = patches.points.data();
-    fitter.fit(first + patches.begin[patch], first + patches.begin[patch + 1],
-               zones.ringOf(static_cast<int>(patch)), ground.is_ground);
+    grounds[patch] = fitter.fit(first + patches.begin[patch], first + patches.begin[patch + 1],
+                                zones.ringOf(static_cast<int>(patch)));
   });
+  FloatingPatches(zones, config).drop(grounds);
+  for (const auto& patch : grounds) {
+    if (!patch) continue;
+    for (const PatchPoint* p = patch->begin; p != patch->end; ++p) {
+      if (fitter.isOn(patch->plane, *p)) ground.is_ground[p->index] = 1;
+    }
+  }
   return ground;
 }
 

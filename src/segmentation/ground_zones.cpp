@@ -43,10 +43,25 @@ int ConcentricZones::patchOf(const Point& p) const {
   return first_patch_[zone] + ring * kSectors[zone] + sector;
 }
 
-int ConcentricZones::ringOf(int patch) const {
+std::size_t ConcentricZones::zoneOf(int patch) const {
   std::size_t zone = kZones - 1;
   while (patch < first_patch_[zone]) --zone;
+  return zone;
+}
+
+int ConcentricZones::ringOf(int patch) const {
+  const std::size_t zone = zoneOf(patch);
   return first_ring_[zone] + (patch - first_patch_[zone]) / kSectors[zone];
+}
+
+int ConcentricZones::innerNeighbour(int patch) const {
+  const std::size_t zone = zoneOf(patch);
+  const int inner = patch - kSectors[zone];
+  if (inner >= first_patch_[zone]) return inner;
+  if (zone == 0) return -1;
+  const int sector = patch - first_patch_[zone];
+  const int inner_sector = (2 * sector + 1) * kSectors[zone - 1] / (2 * kSectors[zone]);
+  return first_patch_[zone] - kSectors[zone - 1] + inner_sector;
 }
 
 int ConcentricZones::innerRings() const { return kRings[0]; }

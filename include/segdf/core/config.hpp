@@ -74,6 +74,8 @@ struct GroundConfig {
   double wall_dist = 0.1;
   std::array<double, 4> elevation{0.523, 0.746, 0.879, 1.125};
   std::array<double, 4> flatness{0.0005, 0.000725, 0.001, 0.001};
+  double patch_step = 0.2;
+  double patch_slope = 0.15;
   double foot_reach = 0.3;
   double foot_rise = 0.15;
   double touch_reach = 0.2;
@@ -98,6 +100,9 @@ struct GroundConfig {
               "rings 0..3: highest patch mean above the expected ground");
     v.numbers("flatness", s.flatness, 0.0, 1.0, "",
               "rings 0..3: a higher patch is ground when its change of curvature is below");
+    v.number("patch_step", s.patch_step, 0.0, 10.0, "m",
+             "no ground: a patch higher than the next towards the sensor by more than this ...");
+    v.number("patch_slope", s.patch_slope, 0.0, 5.0, "", "... plus this share of their distance");
     v.number("foot_reach", s.foot_reach, 0.0, 5.0, "m",
              "no ground: the lasers above see something nearer to the point than this ...");
     v.number("foot_rise", s.foot_rise, 0.01, 5.0, "m", "... that rises over it by this");

@@ -26,10 +26,14 @@ class ConcentricZones {
   /// Patch of a point, -1 outside the zones.
   int patchOf(const Point& p) const;
   int ringOf(int patch) const;
+  /// The patch before the middle of this one on the way to the sensor, -1 for the innermost ring.
+  int innerNeighbour(int patch) const;
   /// Rings 0 to innerRings() - 1 form the zone around the sensor.
   int innerRings() const;
 
  private:
+  std::size_t zoneOf(int patch) const;
+
   std::array<double, kZones + 1> borders_;
   std::array<int, kZones> first_patch_{};
   std::array<int, kZones> first_ring_{};
