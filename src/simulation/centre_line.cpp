@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace segdf {
 
@@ -33,8 +33,9 @@ CentreLine::CentreLine(const std::vector<Bend>& bends) {
   piece.start = {-kFar, 0.0, 0.0};
   for (const Bend& bend : bends) {
     if (bend.at < piece.from) {
-      throw std::invalid_argument("the bend at " + std::to_string(bend.at) +
-                                  " m begins before the one in front of it ends");
+      std::ostringstream text;
+      text << "the bend at " << bend.at << " m begins before the one in front of it ends";
+      throw std::invalid_argument(text.str());
     }
     piece.to = bend.at;
     pieces_.push_back(piece);

@@ -61,10 +61,11 @@ void TakenGround::add(const Footprint& footprint) {
   });
 }
 
-void TakenGround::addLane(const Route& route, double length, double width) {
-  for (double way = 0.0; way <= length; way += kLanePiece) {
-    add({route.at(way), kLanePiece + width, width});
+void TakenGround::addLane(const Route& route, double way, const Footprint& user) {
+  for (double done = 0.0; done < way; done += kLanePiece) {
+    add({route.at(done), std::max(user.length, kLanePiece + user.width), user.width});
   }
+  add({route.at(way), user.length, user.width});
 }
 
 bool TakenGround::isFree(const Footprint& footprint, double margin) const {

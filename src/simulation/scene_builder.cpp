@@ -157,7 +157,7 @@ class SceneBuilder {
     auto paths = driveTogether(users_, description_.street.lights, kStopLine, duration_);
     scene_.ego = paths.front();
     for (std::size_t k = 0; k < users_.size(); ++k) {
-      taken_.addLane(users_[k].route, paths[k].back().way, users_[k].width);
+      taken_.addLane(users_[k].route, paths[k].back().way, footprintOf(k));
       if (k == 0 || !seen(paths[k])) continue;
       movers_[k - 1].path = std::move(paths[k]);
       scene_.objects.push_back(std::move(movers_[k - 1]));

@@ -53,7 +53,9 @@ void readLights(YamlMap& street, std::vector<Light>& lights) {
     for (const char* key : {"at", "red"}) entry.require(key);
     entry.number("at", light.at, -kFar, kFar);
     entry.numbers("red", red, 0.0, kLong);
-    if (red.size() % 2 != 0) entry.fail("red must hold pairs: from, to, from, to, ... seconds");
+    if (red.size() % 2 != 0) {
+      entry.fail(entry.prefix() + ".red must hold pairs: from, to, from, to, ... seconds");
+    }
     for (std::size_t k = 0; k < red.size(); k += 2) light.red.emplace_back(red[k], red[k + 1]);
     entry.finish();
     lights.push_back(light);
@@ -105,7 +107,8 @@ void readEgo(YamlMap map, EgoDescription& ego) {
 }
 
 void requireMovable(const YamlMap& map, ObjectKind kind) {
-  if (!canMove(kind)) map.fail("only car, van, bus, truck, person and cyclist can move");
+  if (canMove(kind)) return;
+  map.fail("only car, van, bus, truck, person and cyclist can move, not " + map.prefix());
 }
 
 MoverDescription readMover(YamlMap& map) {

@@ -63,7 +63,7 @@ class Traffic {
   void advance(std::size_t i, double time) {
     const RoadUser& user = users_[i];
     State& state = states_[i];
-    if (time < user.start || state.way >= user.route.length()) {
+    if (time < user.start || state.way >= user.route.length() - kCreep) {
       state.speed = 0.0;
       return;
     }
@@ -72,7 +72,6 @@ class Traffic {
     speed = std::min(speed, neighbourLimit(i));
     state.speed = speed;
     state.way = std::min(state.way + speed * kStep, user.route.length());
-    if (user.route.length() - state.way < kCreep) state.way = user.route.length();
     state.place = user.route.at(state.way);
   }
 

@@ -44,6 +44,8 @@ class YamlMap {
   /// @throws std::invalid_argument naming the first unknown key and all known ones
   void finish() const;
   [[noreturn]] void fail(const std::string& message) const;
+  /// Where the map stands in the file, e.g. "movers[2]"; empty for the whole of it.
+  const std::string& prefix() const { return prefix_; }
 
  private:
   YAML::Node find(const std::string& key);

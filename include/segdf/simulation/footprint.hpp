@@ -25,8 +25,8 @@ class TakenGround {
  public:
   /// Takes the rectangle.
   void add(const Footprint& footprint);
-  /// Takes the first `length` metres of the route, `width` metres wide.
-  void addLane(const Route& route, double length, double width);
+  /// Takes what the user's footprint sweeps over on the first `way` metres of the route.
+  void addLane(const Route& route, double way, const Footprint& user);
   /// True when the rectangle, grown by `margin` metres on each side, touches nothing taken.
   bool isFree(const Footprint& footprint, double margin) const;
 
