@@ -163,12 +163,19 @@ void requireOverlap(const LabelledDrive& drive, const std::vector<Eigen::Vector3
   }
 }
 
-}  // namespace
-
-DriveScores scoreLabels(const LabelledDrive& drive, const ProtocolChoice& choice) {
+DriveScores blankScores(const LabelledDrive& drive, const ProtocolChoice& choice) {
   DriveScores scores;
   scores.name = drive.name();
   scores.scans = drive.size();
+  scores.range = choice.range;
+  scores.draft_spacing = choice.spacing;
+  return scores;
+}
+
+}  // namespace
+
+DriveScores scoreLabels(const LabelledDrive& drive, const ProtocolChoice& choice) {
+  DriveScores scores = blankScores(drive, choice);
   if (choice.index) scores.index = scoreByIndex(drive, choice.range);
   if (choice.draft) scores.draft = collectDraft(drive, choice, scores.draft_scans).score();
   if (choice.erasor) scores.erasor = scoreErasor(drive);
@@ -180,9 +187,7 @@ DriveScores scoreMap(const LabelledDrive& drive,
                      const MapCloud& map,
                      const ProtocolChoice& choice) {
   requireOverlap(drive, map.points);
-  DriveScores scores;
-  scores.name = drive.name();
-  scores.scans = drive.size();
+  DriveScores scores = blankScores(drive, choice);
   if (choice.draft) {
     scores.draft = collectDraft(drive, choice, scores.draft_scans).score(map.points);
   }

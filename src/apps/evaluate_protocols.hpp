@@ -3,13 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "segdf/evaluation/draft_protocol.hpp"
-#include "segdf/evaluation/erasor_protocol.hpp"
-#include "segdf/evaluation/point_scores.hpp"
+#include "segdf/evaluation/drive_scores.hpp"
 #include "segdf/io/map_file.hpp"
 
 #include "evaluate_drive.hpp"
@@ -24,17 +19,6 @@ struct ProtocolChoice {
   bool map = false;      ///< DynamicMap benchmark
   double range = 50.0;   ///< metres
   double spacing = 2.0;  ///< of the draft's scans, metres
-};
-
-/// What a drive scored, by each protocol that was asked for.
-struct DriveScores {
-  std::string name;
-  std::size_t scans = 0;
-  std::size_t draft_scans = 0;  ///< of them, those that the draft's protocol took
-  std::optional<PointScores> index;
-  std::optional<DraftScores> draft;
-  std::optional<VoxelScores> erasor;
-  std::optional<PointScores> map;
 };
 
 /// Scores the labels of a drive. @throws IoError

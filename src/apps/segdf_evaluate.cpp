@@ -2,22 +2,26 @@
 // Compares the labels of a run, or any map, with ground truth.
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "segdf/io/atomic_file.hpp"
 #include "segdf/io/scan_source.hpp"
+#include "segdf/report/score_json.hpp"
 
 #include "evaluate_drive.hpp"
 #include "evaluate_protocols.hpp"
+#include "evaluate_report.hpp"
 #include "evaluate_text.hpp"
 #include "run_app.hpp"
 #include <nlohmann/json.hpp>
 
 namespace {
 
+using segdf::DriveScores;
 using segdf::IoError;
-using segdf::apps::DriveScores;
 using segdf::apps::LabelledDrive;
 using segdf::apps::ProtocolChoice;
 using Json = nlohmann::ordered_json;
@@ -31,6 +35,9 @@ struct Options {
   std::string protocol;
   std::string frames;
   std::string json;
+  std::string output;
+  std::string report;
+  std::string three_js = "/usr/share/javascript/three";
   ProtocolChoice choice;
 };
 
@@ -43,9 +50,9 @@ void addOptions(CLI::App& app, Options& options) {
                      "labels/ folder that segdf_offline wrote, one for each drive");
   scored->add_option("--map", options.maps, "static map of any tool (PCD), one for each drive");
   scored->require_option(1);
-  app.add_option(
-         "--protocol", options.protocol,
-         "index (default with --labels), draft, erasor, dynamicmap (default with --map) or all")
+  app.add_option("--protocol", options.protocol,
+                 "index (default with --labels), draft, erasor, dynamicmap (default with --map) or "
+                 "all (default with --report)")
       ->check(CLI::IsMember({"index", "draft", "erasor", "dynamicmap", "all"}));
   app.add_option("--frames", options.frames,
                  "only these scans of the drives, FIRST:LAST:STEP, ends inclusive");
@@ -61,6 +68,12 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--map-labels", options.map_labels,
                  "field of the map with truth labels for erasor (default: from the nearest truth)");
   app.add_option("--json", options.json, "also write the figures here");
+  app.add_option("--output", options.output,
+                 "also write the draft's coloured map here, as PCD and PNG");
+  app.add_option("--report", options.report, "also write report.html here, to be looked at");
+  app.add_option(
+      "--three-js", options.three_js,
+      "folder with three.min.js, which the report holds (default: Debian's libjs-three)");
 }
 
 /// What the options say together. @throws IoError
@@ -71,7 +84,9 @@ void settle(Options& options) {
                   std::to_string(scored) + " results (--labels or --map); give one for each");
   }
   const bool by_map = !options.maps.empty();
-  if (options.protocol.empty()) options.protocol = by_map ? "dynamicmap" : "index";
+  if (options.protocol.empty()) {
+    options.protocol = !options.report.empty() ? "all" : by_map ? "dynamicmap" : "index";
+  }
   if (by_map && options.protocol == "index") {
     throw IoError("--protocol index needs --labels: the points of a map have no index in a scan");
   }
@@ -79,7 +94,7 @@ void settle(Options& options) {
     return options.protocol == name || options.protocol == "all";
   };
   options.choice.index = !by_map && wants("index");
-  options.choice.draft = wants("draft");
+  options.choice.draft = wants("draft") || !options.output.empty();
   options.choice.erasor = wants("erasor");
   options.choice.map = wants("dynamicmap");
 }
@@ -109,13 +124,27 @@ segdf::MapCloud loadMap(const Options& options, std::size_t k) {
   return map;
 }
 
-DriveScores score(const Options& options, std::size_t k) {
+/// One drive scored, printed and, for the report, drawn.
+struct Scored {
+  Json json;
+  std::optional<segdf::ReportScene> scene;
+};
+
+Scored score(const Options& options, std::size_t k) {
   const segdf::FrameRange frames =
       options.frames.empty() ? segdf::FrameRange{} : segdf::parseFrameRange(options.frames);
   const bool by_map = !options.maps.empty();
   const LabelledDrive drive(options.kitti[k], by_map ? "" : options.labels[k], frames);
-  return by_map ? segdf::apps::scoreMap(drive, loadMap(options, k), options.choice)
-                : segdf::apps::scoreLabels(drive, options.choice);
+  std::optional<segdf::MapCloud> map;
+  if (by_map) map = loadMap(options, k);
+  const DriveScores scores = map ? segdf::apps::scoreMap(drive, *map, options.choice)
+                                 : segdf::apps::scoreLabels(drive, options.choice);
+  if (options.kitti.size() > 1) std::cout << "== " << scores.name << '\n';
+  segdf::apps::printScores(std::cout, scores);
+  if (!options.output.empty()) segdf::apps::writeDraftMap(options.output, scores);
+  Scored scored{segdf::toJson(scores), std::nullopt};
+  if (!options.report.empty()) scored.scene = segdf::apps::makeScene(drive, map, scores);
+  return scored;
 }
 
 void writeJson(const Json& drives, const std::string& file) {
@@ -126,12 +155,19 @@ void writeJson(const Json& drives, const std::string& file) {
 
 int evaluate(Options& options) {
   settle(options);
+  // Before any work: the report cannot be written without it.
+  std::optional<segdf::ThreeJs> three;
+  if (!options.report.empty()) three = segdf::readThreeJs(options.three_js);
   Json drives = Json::array();
+  std::vector<segdf::ReportScene> scenes;
   for (std::size_t k = 0; k < options.kitti.size(); ++k) {
-    const DriveScores scores = score(options, k);
-    if (options.kitti.size() > 1) std::cout << "== " << scores.name << '\n';
-    segdf::apps::printScores(std::cout, scores, options.choice);
-    drives.push_back(segdf::apps::toJson(scores, options.choice));
+    Scored scored = score(options, k);
+    drives.push_back(std::move(scored.json));
+    if (scored.scene) scenes.push_back(std::move(*scored.scene));
+  }
+  if (three) {
+    segdf::writeReport(options.report, scenes, *three);
+    std::cout << "report in " << options.report << "/report.html\n";
   }
   if (!options.json.empty()) writeJson(drives, options.json);
   return segdf::apps::kOk;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/evaluation/draft_protocol.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "segdf/core/semantic_kitti.hpp"
@@ -96,14 +97,14 @@ DraftScores DraftProtocol::score() const {
 DraftScores DraftProtocol::score(const std::vector<Eigen::Vector3f>& map) const {
   const VoxelMap truth(static_);
   const VoxelMap dynamic(dynamic_);
-  std::vector<Eigen::Vector3f> scored;
-  {
-    const VoxelMap unscored(unscored_);
-    for (const Eigen::Vector3f& point : map) {
-      if (unscored.shows(point) && !truth.shows(point) && !dynamic.shows(point)) continue;
-      scored.push_back(point);
-    }
-  }
+  std::vector<Eigen::Vector3f> scored = voxelCentroids(map, kVoxel);
+  const VoxelMap unscored(unscored_);
+  scored.erase(std::remove_if(scored.begin(), scored.end(),
+                              [&](const Eigen::Vector3f& point) {
+                                return !truth.shows(point) && unscored.shows(point) &&
+                                       !dynamic.shows(point);
+                              }),
+               scored.end());
   return compare(truth, dynamic, VoxelMap(scored));
 }
 

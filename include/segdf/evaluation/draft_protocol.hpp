@@ -55,7 +55,7 @@ class DraftProtocol {
 
   /// Scores the estimate of the labels.
   DraftScores score() const;
-  /// Scores a map (frame of the scans' poses). Its points that lie within kCoAppearance of unscored
+  /// Scores a map (frame of the scans' poses). Its voxels that lie within kCoAppearance of unscored
   /// truth (classes 0 and 1, out of range) and of no scored truth are left out, as they are from
   /// the truth.
   DraftScores score(const std::vector<Eigen::Vector3f>& map) const;
