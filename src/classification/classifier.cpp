@@ -13,16 +13,19 @@ namespace {
 constexpr double kPersonWidth = 1.2;
 constexpr double kPersonMinHeight = 0.9;
 constexpr double kPersonMaxHeight = 2.1;
+constexpr double kCyclistLength = 2.3;
+constexpr double kCyclistWidth = 1.1;
 constexpr double kCarMinLength = 1.0;
 constexpr double kCarMaxLength = 5.6;
 constexpr double kCarMaxWidth = 2.3;
 constexpr double kCarMinHeight = 0.8;
 constexpr double kCarMaxHeight = 2.6;
+// The greatest single vehicle seen whole; two sides of a bus turned by 3 degrees need some more
+// than its 2.55 m.
+constexpr double kVehicleLength = 13.0;
+constexpr double kVehicleWidth = 2.9;
 constexpr std::size_t kLeafyPoints = 30;
 constexpr double kShortWall = 2.0;
-// A low bush is rougher than anything on wheels.
-constexpr double kBushSmooth = 0.10;
-constexpr double kBushCurvature = 0.07;
 // A fence is thin, straight and much longer than wide.
 constexpr double kFenceVertical = 0.9;
 constexpr double kFenceWidth = 0.35;
@@ -32,7 +35,7 @@ constexpr double kFenceSigma = 0.06;
 
 /// The features under the names that the rules use.
 struct Shape {
-  double length, width, side, bottom, top, smooth, curvature, vertical, topcut, sigma;
+  double length, width, side, bottom, top, smooth, curvature, vertical, topcut, contact, sigma;
 
   explicit Shape(const FeatureVector& f)
       : length(static_cast<double>(f[Feature::kLength])),
@@ -44,6 +47,7 @@ struct Shape {
         curvature(static_cast<double>(f[Feature::kLocalCurvature])),
         vertical(static_cast<double>(f[Feature::kVerticalShare])),
         topcut(static_cast<double>(f[Feature::kTopcut])),
+        contact(static_cast<double>(f[Feature::kGroundContact])),
         sigma(std::sqrt(static_cast<double>(f[Feature::kCurvatureChange]) *
                         static_cast<double>(f[Feature::kEigenvalueSum]))) {}
 };
@@ -56,12 +60,41 @@ bool isWall(const Shape& s, const ClassConfig& c) {
   return s.vertical > c.wall_vertical && (s.width < c.wall_thickness || s.sigma < c.wall_sigma);
 }
 
+/// As isLeafy, for what has the size of a vehicle: the parts of one look rough from afar, but most
+/// of its surfaces stand upright.
+bool isLeafyVehicle(const Shape& s, const ClassConfig& c) {
+  return isLeafy(s, c) && s.vertical < c.leafy_vertical;
+}
+
+/// A bush with the size of a car: rougher than anything on wheels.
+bool isBush(const Shape& s, const ClassConfig& c) {
+  return s.smooth < c.bush_smooth && s.curvature > c.bush_curvature && s.vertical < c.bush_vertical;
+}
+
 bool isTall(const Shape& s, const ClassConfig& c) {
   return (s.topcut > c.topcut && s.top > c.tall_cut) || s.top > c.tall;
 }
 
+/// A front of a house stands on the ground all along, a bus or truck on its wheels; and it is
+/// longer than they are, or seen as thin as they hardly ever are.
+bool isFront(const Shape& s, const ClassConfig& c) {
+  const bool thin = s.width < c.front_width && s.length > c.front_ratio * s.width;
+  return s.vertical > c.front_vertical && s.contact > c.front_contact &&
+         (thin || s.length > kVehicleLength);
+}
+
+bool hasVehicleSize(const Shape& s) {
+  return s.length <= kVehicleLength && s.width <= kVehicleWidth;
+}
+
 bool isPerson(const Shape& s) {
-  return s.side < kPersonWidth && s.top > kPersonMinHeight && s.top < kPersonMaxHeight;
+  const bool upright = s.top > kPersonMinHeight && s.top < kPersonMaxHeight;
+  return upright && s.side < kPersonWidth;
+}
+
+bool isCyclist(const Shape& s) {
+  const bool upright = s.top > kPersonMinHeight && s.top < kPersonMaxHeight;
+  return upright && s.length <= kCyclistLength && s.width <= kCyclistWidth;
 }
 
 bool isCar(const Shape& s) {
@@ -76,11 +109,15 @@ bool isFence(const Shape& s) {
 
 ObjectClass classifyTall(const Shape& s, std::size_t points, const ClassConfig& c) {
   const bool leafy = isLeafy(s, c);
+  if (s.side < c.pole_side && s.bottom < c.pole_bottom) return ObjectClass::kBuilding;
   if (s.length > c.large_length || s.width > c.large_width) {
     return leafy ? ObjectClass::kVegetation : ObjectClass::kBuilding;
   }
-  if (leafy && points >= kLeafyPoints) return ObjectClass::kVegetation;
-  if (isWall(s, c) && s.length < kShortWall) return ObjectClass::kBuilding;
+  const bool foliage = hasVehicleSize(s) ? isLeafyVehicle(s, c) : leafy;
+  if (foliage && points >= kLeafyPoints) return ObjectClass::kVegetation;
+  if (isFront(s, c)) return ObjectClass::kBuilding;
+  if (isWall(s, c) && s.length < kShortWall && s.bottom < c.pole_bottom)
+    return ObjectClass::kBuilding;
   return ObjectClass::kUnknown;  // bus, truck, van and a piece of wall look alike
 }
 
@@ -96,17 +133,13 @@ ObjectClass classify(const FeatureVector& features, std::size_t points, const Cl
   if (s.bottom > config.airborne) {
     return isLeafy(s, config) ? ObjectClass::kVegetation : ObjectClass::kBuilding;
   }
-  const bool tall = isTall(s, config);
-  if (tall && s.side < config.pole_side) return ObjectClass::kBuilding;
-  if (tall) return classifyTall(s, points, config);
+  if (isTall(s, config)) return classifyTall(s, points, config);
   if (s.length > config.long_length || s.width > config.long_width) return classifyLarge(s, config);
   if (s.top < config.low) return ObjectClass::kUnknown;
-  const bool person = isPerson(s);
-  if (s.smooth < kBushSmooth && s.curvature > kBushCurvature && !person) {
-    return ObjectClass::kVegetation;
-  }
+  const bool on_foot_or_bicycle = isPerson(s) || isCyclist(s);
+  if (!on_foot_or_bicycle && isBush(s, config)) return ObjectClass::kVegetation;
   if (isFence(s)) return ObjectClass::kBuilding;
-  return person || isCar(s) ? ObjectClass::kHighMobility : ObjectClass::kUnknown;
+  return on_foot_or_bicycle || isCar(s) ? ObjectClass::kHighMobility : ObjectClass::kUnknown;
 }
 
 }  // namespace segdf

@@ -21,8 +21,9 @@ FeatureVector object(float length, float width, float top) {
 }
 
 FeatureVector leafy(FeatureVector f) {
-  f[Feature::kSmoothShare] = 0.05F;
+  f[Feature::kSmoothShare] = 0.03F;
   f[Feature::kLocalCurvature] = 0.12F;
+  f[Feature::kVerticalShare] = 0.4F;
   return f;
 }
 
@@ -47,6 +48,30 @@ TEST(Classifier, BigVehiclesAreNeverExcluded) {
   EXPECT_TRUE(isTested(classOf(object(12.0F, 2.55F, 3.2F)))) << "bus";
   EXPECT_TRUE(isTested(classOf(object(8.0F, 2.5F, 2.5F)))) << "truck";
   EXPECT_TRUE(isTested(classOf(object(5.9F, 2.1F, 2.4F)))) << "van";
+}
+
+TEST(Classifier, RoughMoversAreNoFoliage) {
+  EXPECT_EQ(classOf(leafy(object(1.8F, 0.6F, 1.6F))), ObjectClass::kHighMobility) << "cyclist";
+  // From 25 m on, the window of a normal spans the parts of a car's shape.
+  FeatureVector far_car = leafy(object(3.6F, 1.6F, 1.4F));
+  far_car[Feature::kVerticalShare] = 0.7F;
+  EXPECT_EQ(classOf(far_car), ObjectClass::kHighMobility);
+  FeatureVector tractor = leafy(object(3.2F, 2.6F, 2.7F));
+  tractor[Feature::kVerticalShare] = 0.65F;
+  EXPECT_TRUE(isTested(classOf(tractor)));
+}
+
+TEST(Classifier, AFrontStandsOnTheGroundAndABusOnItsWheels) {
+  FeatureVector front = object(9.0F, 0.8F, 3.0F);
+  front[Feature::kVerticalShare] = 0.95F;
+  front[Feature::kGroundContact] = 0.6F;
+  EXPECT_EQ(classOf(front), ObjectClass::kBuilding);
+  front[Feature::kGroundContact] = 0.2F;
+  EXPECT_TRUE(isTested(classOf(front)));
+  FeatureVector bus = object(12.0F, 2.4F, 3.1F);
+  bus[Feature::kVerticalShare] = 0.95F;
+  bus[Feature::kGroundContact] = 0.5F;  // 32 lasers: the lowest seen of a bus is often its sill
+  EXPECT_TRUE(isTested(classOf(bus)));
 }
 
 TEST(Classifier, StructuresAreBuildings) {

@@ -32,7 +32,7 @@ UprightBox fitBox(const std::vector<Point>& points, const std::vector<std::uint3
 /// height [m], length [m], width [m], length/width, length*width [m^2], length*width*height [m^3],
 /// horizontal range [m], log10 of the point count, points per m^2 of length*width + length*height,
 /// share of azimuth columns whose highest point lies in the top 3 lasers, share of footprint cells
-/// (0.3 m) whose lowest point is less than 0.6 m above ground.
+/// (0.3 m) whose lowest point is less than 0.3 m above ground.
 ///
 /// Sets segment.box and segment.features; every value is finite.
 void describeSegment(const PointAttributes& attributes, Segment& segment);
