@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 
 #include "segdf/core/parallel.hpp"
@@ -66,8 +65,7 @@ class PatchFitter {
   /// Ground of the points in [begin, end); none when they have no plane that can be ground.
   std::optional<PatchGround> fit(PatchPoint* begin, PatchPoint* end, int ring) const {
     const bool near = ring < inner_rings_;
-    if (near)
-      end = std::remove_if(begin, end, [&](const PatchPoint& p) { return isReflection(p); });
+    end = std::remove_if(begin, end, [&](const PatchPoint& p) { return isReflection(p); });
     if (near) end = dropWalls(begin, end);
     if (end - begin < config_.n_min) return std::nullopt;
     const Eigen::Vector3d origin = begin->position();
@@ -132,11 +130,12 @@ class PatchFitter {
     std::transform(begin, end, heights.begin(), [](const PatchPoint& p) { return p.z; });
     const auto low = heights.begin() + std::min(end - begin, std::ptrdiff_t{config_.n_lpr});
     std::nth_element(heights.begin(), low - 1, heights.end());
-    std::sort(heights.begin(), low);  // the sum must not depend on the order of the points
-    const double mean =
-        std::accumulate(heights.begin(), low, 0.0) / static_cast<double>(low - heights.begin());
+    std::sort(heights.begin(), low);
+    // Their median instead of their mean: a few reflections below ground leave it in place.
+    const auto level = static_cast<double>(*(heights.begin() + (low - heights.begin()) / 2));
     return sum(begin, end, origin, [&](const PatchPoint& p) {
-      return static_cast<double>(p.z) < mean + config_.th_seed;
+      const double over = static_cast<double>(p.z) - level;
+      return over < config_.th_seed && over > -config_.below_tol;
     });
   }
 

@@ -131,5 +131,63 @@ TEST(Ground, SameOnTwoThreads) {
   EXPECT_EQ(groundOf(scan, 1).is_ground, groundOf(scan, 2).is_ground);
 }
 
+/// Wet roads and windows mirror: a few points of each patch lie metres below ground.
+TEST(Ground, ReflectionsBelowGroundDoNotSinkAPatch) {
+  const Scan clean = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
+  Scan mirrored = clean;
+  for (std::size_t i = 0; i < clean.points.size(); i += 100) {
+    Point p = clean.points[i];
+    p.z = -3.0F - 0.1F * std::hypot(p.x, p.y);
+    mirrored.points.push_back(p);
+  }
+  const Ground before = groundOf(clean);
+  const Ground after = groundOf(mirrored);
+  double kept = 0.0;
+  double all = 0.0;
+  for (std::size_t i = 0; i < clean.points.size(); ++i) {
+    all += before.is_ground[i];
+    kept += before.is_ground[i] != 0 && after.is_ground[i] != 0 ? 1.0 : 0.0;
+  }
+  EXPECT_GT(kept, 0.99 * all);
+  for (std::size_t i = clean.points.size(); i < mirrored.points.size(); ++i) {
+    ASSERT_EQ(after.is_ground[i], 0);
+  }
+}
+
+/// A car's roof that fills its patch is as flat as ground.
+TEST(Ground, AFloatingPatchIsNoGround) {
+  test::BoxWorld world;
+  world.add(18.0, 0.0, 5.0, 14.0, 1.0);
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Ground ground = groundOf(scan);
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    if (worldHeight(scan, i) > 0.9) {
+      ASSERT_EQ(ground.is_ground[i], 0);
+    }
+  }
+}
+
+/// Half of the scan missing: the other half is judged as before.
+TEST(Ground, HalfAScanIsEnough) {
+  const Scan whole = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
+  Scan half;
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i < whole.points.size(); ++i) {
+    if (whole.points[i].y < 0.0F) continue;
+    half.points.push_back(whole.points[i]);
+    index.push_back(i);
+  }
+  half.pose = whole.pose;
+  EXPECT_NEAR(estimateSensorHeight(half.points, allUsed(half), GroundConfig{}), 1.73, 0.02);
+  const Ground of_whole = groundOf(whole);
+  const Ground of_half = groundOf(half);
+  std::size_t differ = 0;
+  for (std::size_t k = 0; k < index.size(); ++k) {
+    differ += of_half.is_ground[k] != of_whole.is_ground[index[k]] ? 1 : 0;
+  }
+  // Patches cut by the edge fit their planes to half of their points.
+  EXPECT_LT(static_cast<double>(differ), 0.01 * static_cast<double>(index.size()));
+}
+
 }  // namespace
 }  // namespace segdf
