@@ -82,7 +82,7 @@ TEST(Clustering, IntensityMergesWhatLiesWithinReachAndLooksAlike) {
   std::vector<Point> b = blobAt(10.0 + kBlob + gap, 2);
   EXPECT_EQ(cluster(joined(a, b), {}).clusters.count, 1U);
   paint(b, 0.8F);
-  EXPECT_EQ(cluster(joined(a, b), {}).clusters.count, 2U) << "threAV = 0.10 must keep them apart";
+  EXPECT_EQ(cluster(joined(a, b), {}).clusters.count, 2U) << "threAV = 0.25 must keep them apart";
 }
 
 TEST(Clustering, MergingStopsAtTheSizeOfOneMovableObject) {

@@ -186,7 +186,7 @@ struct CurvedVoxelConfig {
   double dphi = 0.4;
   IntensityGate gate = IntensityGate::kOff;
   int ext = 2;
-  double thre_av = 0.10;
+  double thre_av = 0.25;
   double thre_cov = 0.15;
   int n_noise = 10;
   double merge_diagonal = 6.5;
