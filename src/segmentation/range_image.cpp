@@ -19,9 +19,13 @@ double elevationDegrees(const Point& p) {
   return arcTangent2(static_cast<double>(p.z), std::sqrt(x * x + y * y)) * 180.0 / kPi;
 }
 
+// No sensor has more lasers; a field that says so holds something else.
+constexpr std::int16_t kMaxRings = 256;
+
 bool allHaveRings(const std::vector<Point>& points, const std::vector<PointRole>& roles) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (roles[i] != PointRole::kUnused && points[i].ring < 0) return false;
+    const bool has_ring = points[i].ring >= 0 && points[i].ring < kMaxRings;
+    if (roles[i] != PointRole::kUnused && !has_ring) return false;
   }
   return true;
 }
