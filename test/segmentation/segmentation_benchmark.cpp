@@ -2,9 +2,11 @@
 // Every stage of segmentation and classification on one core, beside PCL's Euclidean clustering of
 // the same points. Only ratios within one run mean anything on a shared machine.
 #include <benchmark/benchmark.h>
+#include <pcl/features/esf.h>
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/classification/features.hpp"
+#include "segdf/classification/shape_histogram.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/intensity.hpp"
 #include "segdf/segmentation/segmenter.hpp"
@@ -43,6 +45,17 @@ std::vector<KeyedPoint> objectKeys(const Fixture& f) {
     if (key) items.emplace_back(*key, i);
   }
   return items;
+}
+
+pcl::ESFSignature640 esfByPcl(const std::vector<Point>& points,
+                              const std::vector<std::uint32_t>& indices) {
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (std::uint32_t i : indices) cloud->push_back({points[i].x, points[i].y, points[i].z});
+  pcl::ESFEstimation<pcl::PointXYZ, pcl::ESFSignature640> estimation;
+  estimation.setInputCloud(cloud);
+  pcl::PointCloud<pcl::ESFSignature640> result;
+  estimation.compute(result);
+  return result.front();
 }
 
 /// Registers `body(fixture)` as a benchmark.
@@ -88,6 +101,14 @@ void addClassification() {
                                      f.seg.surfaces};
     for (Segment& segment : f.seg.segments) describeSegment(attributes, segment);
     return f.seg.segments.size();
+  });
+  add("shape histogram of one segment (mean)", [](Fixture& f) {
+    static std::size_t next = 0;
+    return shapeHistogram(f.scan.points, f.seg.segments[next++ % f.seg.segments.size()].points);
+  });
+  add("YARDSTICK PCL ESFEstimation of one segment (mean)", [](Fixture& f) {
+    static std::size_t next = 0;
+    return esfByPcl(f.scan.points, f.seg.segments[next++ % f.seg.segments.size()].points);
   });
   add("classes of all segments", [](Fixture& f) {
     for (Segment& s : f.seg.segments) {
