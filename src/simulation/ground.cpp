@@ -8,9 +8,6 @@ namespace segdf {
 
 namespace {
 
-constexpr std::uint16_t kRoad = 40;
-constexpr std::uint16_t kSidewalk = 48;
-constexpr std::uint16_t kTerrain = 72;
 constexpr double kRounding = 6.0;  // metres over which a grade sets in
 
 /// 0 below 0, x well above, and a parabola between: the way climbed since the grade's foot.
@@ -29,7 +26,8 @@ bool Ground::inJunction(double along, double margin) const {
 }
 
 std::uint16_t Ground::classAt(const StreetPoint& point) const {
-  if (std::abs(point.across) <= half_road || inJunction(point.along)) return kRoad;
+  if (std::abs(point.across) <= half_lanes || inJunction(point.along)) return kRoad;
+  if (std::abs(point.across) <= half_road) return kParking;
   return std::abs(point.across) <= half_street ? kSidewalk : kTerrain;
 }
 

@@ -13,9 +13,9 @@ constexpr int kSides = 12;           // of a cylinder
 constexpr double kGroundStep = 1.0;  // metres along the street
 constexpr double kReachStep = 2.0;   // metres across
 constexpr double kKerbWidth = 0.05;  // metres from the road's height to the sidewalk's
-constexpr float kAsphalt = 0.22F;
-constexpr float kPavement = 0.32F;
-constexpr float kGrass = 0.3F;
+constexpr float kAsphalt = 0.3F;
+constexpr float kPavement = 0.4F;
+constexpr float kGrass = 0.45F;
 
 /// Corners of the solid's base, counter-clockwise, in its own frame.
 std::vector<Eigen::Vector2d> outline(const Solid& solid) {
@@ -138,8 +138,8 @@ class GroundGrid {
   }
 
   float reflectanceOf(std::uint16_t semantic_class) const {
-    if (semantic_class == ground_.classAt({ground_.begin, 0.0})) return kAsphalt;
-    return semantic_class == ground_.classAt({ground_.begin, ground_.reach}) ? kGrass : kPavement;
+    if (semantic_class == Ground::kTerrain) return kGrass;
+    return semantic_class == Ground::kSidewalk ? kPavement : kAsphalt;
   }
 
   const Ground& ground_;
@@ -151,6 +151,21 @@ class GroundGrid {
   std::uint32_t first_ = 0;
 };
 
+/// A square without thickness.
+void addLeaf(const Solid& solid, const Pose& map_T_object, const Material& material, Mesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const Eigen::AngleAxisd turn(solid.yaw, Eigen::Vector3d::UnitZ());
+  const double half = solid.size.x() / 2.0;
+  for (double z : {-half, half}) {
+    for (double y : {-half, half}) {
+      const Eigen::Vector3d corner = solid.center + turn * Eigen::Vector3d(-z / 2.0, y, z);
+      mesh.vertices.emplace_back((map_T_object * corner).cast<float>());
+    }
+  }
+  addTriangle(first, first + 1, first + 3, material, mesh);
+  addTriangle(first, first + 3, first + 2, material, mesh);
+}
+
 }  // namespace
 
 void addSolids(const std::vector<Solid>& solids,
@@ -158,7 +173,12 @@ void addSolids(const std::vector<Solid>& solids,
                const Pose& map_T_object,
                Mesh& mesh) {
   for (const Solid& solid : solids) {
-    addSolid(solid, map_T_object, {label, solid.reflectance, solid.glass}, mesh);
+    const Material material{label, solid.reflectance, solid.glass};
+    if (solid.shape == Solid::Shape::kLeaf) {
+      addLeaf(solid, map_T_object, material, mesh);
+    } else {
+      addSolid(solid, map_T_object, material, mesh);
+    }
   }
 }
 

@@ -13,10 +13,10 @@ using detail::box;
 using detail::cylinder;
 using detail::thing;
 
-constexpr float kLeaves = 0.36F;
+constexpr float kLeaves = 0.42F;
 constexpr double kPi = 3.14159265358979323846;
 
-/// Small boxes scattered over an ellipsoid or, for a hedge, a bar: beams pass between them.
+/// Leaves scattered over an ellipsoid or, for a hedge, a bar: beams pass between them.
 void addLeaves(SceneObject& plant,
                Random& random,
                const Eigen::Vector3d& center,
@@ -28,8 +28,9 @@ void addLeaves(SceneObject& plant,
                             random.uniform(-1.0, 1.0));
     if (round && u.norm() > 1.0) continue;
     Solid leaf = box(center + half.cwiseProduct(u),
-                     Eigen::Vector3d::Constant(random.uniform(0.08, 0.22)), kLeaves);
-    leaf.yaw = random.uniform(0.0, 3.14);
+                     Eigen::Vector3d::Constant(random.uniform(0.1, 0.28)), kLeaves);
+    leaf.shape = Solid::Shape::kLeaf;
+    leaf.yaw = random.uniform(0.0, 2.0 * kPi);
     plant.solids.push_back(leaf);
     ++k;
   }
@@ -93,7 +94,7 @@ SceneObject makeTree(Random& random) {
   const double trunk = random.uniform(2.2, 3.2);
   const double radius = random.uniform(1.5, 2.6);
   tree.solids.push_back(cylinder({0.0, 0.0, trunk / 2.0 + 0.5}, diameter, trunk + 1.2, 0.25F));
-  const int leaves = static_cast<int>(90.0 * radius * radius);
+  const int leaves = static_cast<int>(150.0 * radius * radius);
   addLeaves(tree, random, {0.0, 0.0, trunk + 0.8 * radius}, {radius, radius, radius}, leaves, true);
   return tree;
 }
@@ -102,7 +103,7 @@ SceneObject makeBush(Random& random) {
   const double radius = random.uniform(0.5, 1.3);
   SceneObject bush = thing(70, 70, 2.0 * radius, 2.0 * radius);
   const double half = random.uniform(0.5, 1.2);
-  const int leaves = static_cast<int>(220.0 * radius * half);
+  const int leaves = static_cast<int>(360.0 * radius * half);
   addLeaves(bush, random, {0.0, 0.0, half}, {radius, radius, half}, leaves, true);
   return bush;
 }
@@ -136,7 +137,7 @@ SceneObject makeBollard() {
 SceneObject makeHouse(Random& random, const ObjectSize& size) {
   SceneObject house = thing(50, 50, size.length, size.depth);
   house.upright = true;
-  const auto wall = static_cast<float>(random.uniform(0.3, 0.5));
+  const auto wall = static_cast<float>(random.uniform(0.35, 0.6));
   // Two metres of foundation: on a slope no gap shows.
   house.solids.push_back(
       box({0.0, 0.0, size.height / 2.0 - 1.0}, {size.length, size.depth, size.height + 2.0}, wall));
@@ -163,7 +164,7 @@ SceneObject makeWall(const ObjectSize& size) {
 SceneObject makeHedge(Random& random, const ObjectSize& size) {
   SceneObject hedge = thing(70, 70, size.length, 0.8);
   const double height = random.uniform(0.8, 1.5);
-  const int count = static_cast<int>(90.0 * size.length * height);
+  const int count = static_cast<int>(140.0 * size.length * height);
   addLeaves(hedge, random, {0.0, 0.0, height / 2.0}, {size.length / 2.0, 0.3, height / 2.0}, count,
             false);
   return hedge;

@@ -49,7 +49,7 @@ SensorModel sensorModel(const std::string& name) {
   sensor.name = name;
   if (name == "hdl64") {
     sensor.elevations = hdl64Elevations();
-    sensor.columns = 2000;
+    sensor.columns = 2083;
     sensor.intensity = SimulatedIntensity::kKitti;
   } else if (name == "hdl32") {
     sensor.elevations = evenElevations(32, 10.67, -30.67);
@@ -88,6 +88,13 @@ float modelIntensity(const SensorModel& sensor, const RayHit& hit, double gain, 
   if (sensor.intensity == SimulatedIntensity::kReflectivity && !retro)
     value = std::min(value, 100.0);
   return static_cast<float>(std::round(std::clamp(value, 0.0, 255.0)));
+}
+
+bool hitsRoof(const OwnRoof& roof, const Eigen::Vector3d& ray) {
+  if (ray.z() >= 0.0) return false;
+  const double way = -roof.depth / ray.z();
+  return std::abs(ray.y() * way) < roof.side && ray.x() * way > roof.rear &&
+         ray.x() * way < roof.front;
 }
 
 Fate fateOf(const SensorModel& sensor, const RayHit& hit, Random& random) {

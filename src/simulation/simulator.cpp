@@ -145,7 +145,7 @@ Simulator::Return Simulator::shoot(const Pose& pose,
   Random random(config_.seed, index_, row * columns_.size() + column);
   const Eigen::Vector3d ray = direction(row, column, random);
   const Eigen::Vector3d map_ray = pose.linear() * ray;
-  if (random.chance(dropout)) return {};
+  if (random.chance(dropout) || hitsRoof(sensor_.roof, ray)) return {};
   RayHit hit;
   double before = 0.0;
   for (int pane = 0; pane <= kMaxPanes; ++pane) {

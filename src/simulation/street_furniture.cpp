@@ -22,6 +22,7 @@ constexpr double kGardenLine = 12.0;   // hedges, fences
 constexpr double kGarden = 13.2;       // trees and bushes from here ...
 constexpr double kGardenDepth = 14.0;  // ... to this far behind, where no house stands
 constexpr double kHouseLine = 15.0;    // house fronts
+constexpr double kBackLine = 33.0;     // fronts of the row behind
 
 class Furnisher {
  public:
@@ -35,7 +36,8 @@ class Furnisher {
 
   void furnish() {
     for (double side : {-1.0, 1.0}) {
-      addHouses(side, stream(side, 0));
+      addHouses(side, kHouseLine, stream(side, 0));
+      addHouses(side, kBackLine, stream(side, 11));
       addParked(side, stream(side, 1));
       scatter(ObjectKind::kTree, street_.trees, side * kTreeLine, 1.0, stream(side, 2));
       scatter(ObjectKind::kPole, street_.poles, side * kTreeLine, 1.0, stream(side, 3));
@@ -66,7 +68,7 @@ class Furnisher {
     return true;
   }
 
-  void addHouses(double side, Random random) {
+  void addHouses(double side, double front, Random random) {
     if (street_.houses <= 0.0) return;
     for (double along = begin_; along < end_;) {
       ObjectSize size;
@@ -74,7 +76,7 @@ class Furnisher {
       size.depth = random.uniform(7.0, 10.0);
       size.height = random.uniform(5.0, 10.0);
       const double middle = along + size.length / 2.0;
-      const double across = side * (kHouseLine + size.depth / 2.0 + random.uniform(0.0, 1.5));
+      const double across = side * (front + size.depth / 2.0 + random.uniform(0.0, 1.5));
       SceneObject house = makeObject(ObjectKind::kHouse, random, size);
       const bool built = random.chance(street_.houses);
       if (built && !scene_.ground.inJunction(middle, size.length / 2.0 + 1.0) &&

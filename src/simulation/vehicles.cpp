@@ -5,7 +5,7 @@ namespace segdf::detail {
 
 namespace {
 
-float paint(Random& random) { return static_cast<float>(random.uniform(0.05, 0.4)); }
+float paint(Random& random) { return static_cast<float>(random.uniform(0.04, 0.3)); }
 
 Solid glass(const Eigen::Vector3d& center, const Eigen::Vector3d& size) {
   Solid pane = box(center, size, kGlass);

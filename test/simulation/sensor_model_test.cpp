@@ -75,5 +75,20 @@ TEST(SensorModel, GlassAndDarknessLosePulses) {
   EXPECT_EQ(far, 2000) << "a reflectance of 0.05 is seen to 40 m";
 }
 
+TEST(SensorModel, TheOwnRoofTakesTheSteepBeamsToTheRear) {
+  const OwnRoof roof;
+  const auto beam = [](double azimuth, double elevation) {
+    return Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                           std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+  };
+  // 0.35 m below the sensor a beam of -20 degrees has gone 0.96 m: beyond the roof's front edge and
+  // its side, but not beyond its rear edge.
+  EXPECT_FALSE(hitsRoof(roof, beam(0.0, -0.349)));
+  EXPECT_FALSE(hitsRoof(roof, beam(1.571, -0.349)));
+  EXPECT_TRUE(hitsRoof(roof, beam(3.1416, -0.349)));
+  EXPECT_FALSE(hitsRoof(roof, beam(3.1416, -0.1))) << "3.5 m";
+  EXPECT_FALSE(hitsRoof(roof, beam(3.1416, 0.1))) << "upwards";
+}
+
 }  // namespace
 }  // namespace segdf

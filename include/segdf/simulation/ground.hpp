@@ -17,11 +17,18 @@ struct Grade {
 
 /// Road, kerbs, sidewalks and the land around, as a height over the map plane.
 struct Ground {
+  // SemanticKITTI's classes.
+  static constexpr std::uint16_t kRoad = 40;
+  static constexpr std::uint16_t kParking = 44;
+  static constexpr std::uint16_t kSidewalk = 48;
+  static constexpr std::uint16_t kTerrain = 72;
+
   CentreLine line;
   std::vector<Grade> grades;
   std::vector<double> junctions;  ///< metres along: a side street without kerbs crosses
   double undulation = 0.15;       ///< amplitude, metres
   double kerb = 0.12;             ///< height of the sidewalk over the road, metres
+  double half_lanes = 4.6;        ///< beyond: parking places
   double half_road = 7.0;         ///< kerbs stand this far from the centre line, metres
   double half_street = 11.5;      ///< sidewalks reach to here
   double half_junction = 6.0;     ///< half the width of a side street
@@ -35,7 +42,7 @@ struct Ground {
   double heightAt(double x, double y, const StreetPoint& point) const;
   /// Within `margin` metres of a side street.
   bool inJunction(double along, double margin = 0.0) const;
-  /// SemanticKITTI class: road, sidewalk or terrain.
+  /// Road, parking, sidewalk or terrain.
   std::uint16_t classAt(const StreetPoint& point) const;
 };
 

@@ -16,7 +16,8 @@ struct Solid {
   enum class Shape : std::uint8_t {
     kBox,
     kCylinder,  ///< upright; its diameter is size.x(), its height size.z()
-    kWheel      ///< a cylinder whose axis lies across; diameter size.x(), width size.z()
+    kWheel,     ///< a cylinder whose axis lies across; diameter size.x(), width size.z()
+    kLeaf       ///< a flat square, size.x() wide, that leans back by half its height
   };
 
   Shape shape = Shape::kBox;

@@ -25,13 +25,13 @@ struct StreetDescription {
   double kerb = 0.12;        ///< metres
   std::vector<double> junctions;
   std::vector<Light> lights;
-  double houses = 0.7;  ///< share of the front that is built up
-  double trees = 5.0;
-  double bushes = 12.0;
+  double houses = 0.8;  ///< share of the front that is built up
+  double trees = 8.0;
+  double bushes = 30.0;
   double poles = 3.0;
   double signs = 1.0;
   double bollards = 2.0;
-  double hedges = 5.0;
+  double hedges = 8.0;
   double fences = 3.0;
   double people = 2.0;          ///< who stand
   double parked = 0.6;          ///< share of the parking places that are taken

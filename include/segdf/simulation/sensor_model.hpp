@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "segdf/simulation/random.hpp"
 #include "segdf/simulation/world.hpp"
 
@@ -15,6 +17,14 @@ enum class SimulatedIntensity {
   kReflectivity,  ///< 0..255; 0..100 diffuse, above retro-reflectors
   kByte,          ///< 0..255, linear in reflectance
   kRaw,           ///< 0..1, falls with the square of the range and the incidence angle
+};
+
+/// The roof that the sensor stands on, in the sensor's frame: what hits it does not come back.
+struct OwnRoof {
+  double rear = -1.8;   ///< x, metres
+  double front = 0.8;   ///< x, metres
+  double side = 0.5;    ///< +-y, metres
+  double depth = 0.35;  ///< below the sensor, metres
 };
 
 /// A spinning LiDAR.
@@ -30,7 +40,8 @@ struct SensorModel {
   double angular_noise = 0.02;  ///< sigma, degrees
   double dropout = 0.02;        ///< share of pulses lost anywhere
   double gain_scatter = 0.15;   ///< sigma of the constant gain of each laser, relative
-  double edge_mixing = 0.1;     ///< share of pulses at a depth step whose echo lies in between
+  OwnRoof roof;
+  double edge_mixing = 0.1;  ///< share of pulses at a depth step whose echo lies in between
 };
 
 /// "hdl64", "hdl32", "vlp16" or "os1_64" with the beam tables of method.md 8.2.
@@ -39,6 +50,9 @@ SensorModel sensorModel(const std::string& name);
 
 /// Intensity of a return in the sensor's unit. @param gain of the laser, about 1
 float modelIntensity(const SensorModel& sensor, const RayHit& hit, double gain, Random& random);
+
+/// True when a beam of this direction (sensor frame) goes into the own roof.
+bool hitsRoof(const OwnRoof& roof, const Eigen::Vector3d& ray);
 
 /// What becomes of the pulse of a hit.
 enum class Fate {
