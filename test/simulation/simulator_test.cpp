@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/simulation/simulator.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +49,58 @@ TEST(Simulator, TheSameSeedGivesTheSameDriveOnAnyNumberOfThreads) {
     ASSERT_EQ(once.size(), again.size());
     for (std::size_t k = 0; k < once.size(); ++k) EXPECT_TRUE(samePoints(once[k], again[k]));
   }
+}
+
+TEST(Simulator, SkewedSweepsTakeTheirTimeAndAreDeterministicToo) {
+  SimulationConfig config = quick(3);
+  config.rate = 10.0;
+  config.scans = 3;
+  config.skewed = true;
+  const auto once = simulate(config);
+  config.threads = 2;
+  const auto again = simulate(config);
+  config.skewed = false;
+  const auto straight = simulate(config);
+  for (std::size_t k = 0; k < once.size(); ++k) {
+    EXPECT_TRUE(samePoints(once[k], again[k]));
+    EXPECT_FALSE(samePoints(once[k], straight[k]));
+    float latest = 0.0F;
+    for (const Point& p : once[k].scan.points) {
+      latest = std::max(latest, p.time);
+      // A turn takes a tenth of a second, from +x over the left.
+      const float azimuth = std::atan2(p.y, p.x) + (p.y < 0.0F ? 6.2831853F : 0.0F);
+      ASSERT_NEAR(p.time, 0.1F * azimuth / 6.2831853F, 1e-4F);
+    }
+    EXPECT_GT(latest, 0.099F);
+  }
+}
+
+/// Over a turn the ego drives 0.8 m: half a turn later, a house is 0.4 m nearer.
+TEST(Simulator, SkewIsThatOfTheWayDriven) {
+  Scene scene;
+  scene.ground.undulation = 0.0;
+  SceneObject wall;
+  Solid solid;
+  solid.center = {0.0, 0.0, 5.0};
+  solid.size = {1.0, 60.0, 10.0};
+  wall.solids = {solid};
+  wall.path = {{0.0, -20.5, 0.0, 0.0, 0.0}};
+  wall.standing_class = 50;
+  scene.objects = {wall};
+  scene.ego = {{0.0, 0.0, 0.0, 0.0, 0.0}, {1.0, -8.0, 0.0, 0.0, 8.0}};
+  SimulationConfig config;
+  config.sensor = "vlp16";
+  config.skewed = true;
+  Simulator simulator(config, scene, 1);
+  const auto scan = simulator.next();
+  ASSERT_TRUE(scan);
+  int behind = 0;
+  for (const Point& p : scan->scan.points) {
+    if (p.x > -15.0F || std::abs(p.y) > 0.3F || std::abs(p.z) > 1.0F) continue;
+    EXPECT_NEAR(p.x, -19.6F, 0.12F) << "20 m less 0.4 m, within noise and bias";
+    ++behind;
+  }
+  EXPECT_GT(behind, 3);
 }
 
 TEST(Simulator, AnotherSeedGivesAnotherDrive) {
@@ -157,6 +211,56 @@ TEST(Simulator, PoseNoiseIsInThePoseAndNotInTheExactPose) {
   }
   // 18 draws of sigma 0.1: the root mean square lies within 0.04 of it (beyond 3 sigma otherwise).
   EXPECT_NEAR(std::sqrt(sum / (3.0 * static_cast<double>(clean.size()))), 0.1, 0.05);
+}
+
+TEST(Simulator, DriftGrowsWithTheWay) {
+  SimulationConfig config = quick(1);
+  config.pose_noise = 0.0;
+  config.pose_noise_angle = 0.0;
+  config.pose_drift = 1.0;
+  const auto scans = simulate(config);
+  const auto error = [&scans](std::size_t k) {
+    return (scans[k].scan.pose.translation() - scans[k].exact_pose.translation()).norm();
+  };
+  EXPECT_NEAR(error(0), 0.0, 1e-9);
+  // 2.5 s at 8 m/s are 20 m, of which 1 % across the ground and 0.3 % upwards.
+  EXPECT_NEAR(error(5), 0.2, 0.03);
+}
+
+TEST(Simulator, ScenesSayWhatSensorAndWhatIsLost) {
+  SimulationConfig config;
+  config.scene = "s20_sparse";
+  config.scans = 4;
+  Simulator sparse(config);
+  EXPECT_EQ(sparse.sensor().name, "vlp16");
+  std::set<std::size_t> counts;
+  while (const auto scan = sparse.next()) counts.insert(scan->scan.points.size() / 100);
+  EXPECT_GT(counts.size(), 1U) << "dropouts change from scan to scan";
+  config.sensor = "os1_64";
+  EXPECT_EQ(Simulator(config).sensor().name, "os1_64");
+  config.scene = "s99_nowhere";
+  EXPECT_THROW(Simulator{config}, std::invalid_argument);
+}
+
+TEST(Simulator, RawIntensityFallsWithTheRange) {
+  SimulationConfig config = quick(1);
+  config.scans = 1;
+  config.intensity = SimulatedIntensity::kRaw;
+  double near = 0.0;
+  double far = 0.0;
+  std::size_t near_count = 0;
+  std::size_t far_count = 0;
+  for (const Point& p : simulate(config)[0].scan.points) {
+    const double range = p.position().cast<double>().norm();
+    ASSERT_GE(p.intensity, 0.0F);
+    ASSERT_LE(p.intensity, 1.0F);
+    if (range < 10.0) near += static_cast<double>(p.intensity);
+    near_count += range < 10.0 ? 1 : 0;
+    if (range > 30.0) far += static_cast<double>(p.intensity);
+    far_count += range > 30.0 ? 1 : 0;
+  }
+  // (10 / 30)^2 is a ninth.
+  EXPECT_LT(far / static_cast<double>(far_count), 0.3 * near / static_cast<double>(near_count));
 }
 
 }  // namespace
