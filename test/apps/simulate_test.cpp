@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <fstream>
+
 #include "drive_fixture.hpp"
 
 namespace segdf {
@@ -49,6 +52,60 @@ TEST_F(Simulate, ADriveIsNeverOverwritten) {
   EXPECT_EQ(again.status, 1);
   EXPECT_EQ(again.errorLines("error: "), 1);
   EXPECT_TRUE(contains(again.err, "holds scans already"));
+}
+
+TEST_F(Simulate, ScenesAreListedByNameAndWhatTheyAreAbout) {
+  const Outcome listed = test::run(std::string(SEGDF_SIMULATE) + " --list-scenes", folder_.path());
+  EXPECT_EQ(listed.status, 0) << listed.err;
+  EXPECT_TRUE(contains(listed.out, "s03_oncoming  S3: oncoming traffic"));
+  EXPECT_TRUE(contains(listed.out, "mixed  Mixed drive"));
+}
+
+TEST_F(Simulate, AUsersOwnSceneIsDriven) {
+  std::ofstream(folder_ / "mine.yaml") << "duration: 0.4\nmovers:\n"
+                                          "  - {kind: bus, path: [[20, 2], [-20, 2]], speed: 7}\n";
+  const Outcome made =
+      test::run(std::string(SEGDF_SIMULATE) + " --sensor vlp16 --scene " +
+                    (folder_ / "mine.yaml").string() + " --output " + (folder_ / "d").string(),
+                folder_.path());
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_TRUE(contains(made.out, "4 scans of vlp16"));
+}
+
+TEST_F(Simulate, ABadSceneFileGetsOneLineThatNamesItsFault) {
+  std::ofstream(folder_ / "bad.yaml") << "duration: 5\nego: {sped: 3}\n";
+  const Outcome outcome = simulate("--output " + (folder_ / "d").string() + " --scene " +
+                                   (folder_ / "bad.yaml").string());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.errorLines("error: "), 1) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "bad.yaml: unknown key 'ego.sped'"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "d"));
+  const Outcome none = simulate("--output d --scene s99_nowhere");
+  EXPECT_TRUE(contains(none.err, "scene 's99_nowhere' is neither built in"));
+}
+
+TEST_F(Simulate, SkewedSweepsGoIntoBagsOnly) {
+  EXPECT_EQ(simulate("--skewed --output " + (folder_ / "d").string()).status, 2);
+  const Outcome made = simulate("--skewed --bag " + (folder_ / "d.bag").string());
+  EXPECT_EQ(made.status, 0) << made.err;
+}
+
+TEST_F(Simulate, DrivesAreDescribedInFigures) {
+  ASSERT_EQ(simulate("--output " + (folder_ / "d").string()).status, 0);
+  const Outcome table = test::run(
+      std::string(SEGDF_SCAN_STATISTICS) + " --sensor vlp16 --kitti " + (folder_ / "d").string(),
+      folder_.path());
+  EXPECT_EQ(table.status, 0) << table.err;
+  for (const char* row :
+       {"| points a scan | ", "| ground by the labels, % | ",
+        "| neighbour in the next scan, median, m | 0.", "| intensity of road, 5 to 10 m | "}) {
+    EXPECT_TRUE(contains(table.out, row));
+  }
+  const Outcome none =
+      test::run(std::string(SEGDF_SCAN_STATISTICS) + " --kitti " + (folder_ / "none").string(),
+                folder_.path());
+  EXPECT_EQ(none.status, 1);
+  EXPECT_EQ(none.errorLines("error: "), 1) << none.err;
 }
 
 TEST_F(Simulate, BadOptionsGetOneLine) {
