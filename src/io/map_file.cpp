@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
-#include <optional>
+#include <fstream>
+#include <set>
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/console/print.h>
@@ -24,18 +25,34 @@ using pcl::PCLPointField;
 // Above it a float does not hold every whole number.
 constexpr double kExactFloat = 16777216.0;
 
+/// PCL's reader crashes on files that do not begin as a PCD file does.
+bool hasHeader(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::set<std::string> seen;
+  constexpr int kMostLines = 100;  // a header has eleven, and comments
+  std::string line;
+  for (int k = 0; k < kMostLines && std::getline(stream, line); ++k) {
+    const std::string word = line.substr(0, line.find(' '));
+    if (word == "DATA") return seen.count("FIELDS") * seen.count("SIZE") * seen.count("TYPE") == 1;
+    seen.insert(word);
+  }
+  return false;
+}
+
 pcl::PCLPointCloud2 readCloud(const std::filesystem::path& file) {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // our one line, not several of PCL's
   if (!std::filesystem::is_regular_file(file)) {
     throw IoError("no map " + file.string() + "; check the path");
   }
+  const IoError unreadable("map " + file.string() + " is truncated or no PCD file");
+  if (!hasHeader(file)) throw unreadable;
   pcl::PCLPointCloud2 cloud;
   try {
-    if (pcl::PCDReader().read(file.string(), cloud) >= 0) return cloud;
+    if (pcl::PCDReader().read(file.string(), cloud) < 0) throw unreadable;
   } catch (const std::exception&) {  // PCL's text names its own function, not what is wrong
-    throw IoError("map " + file.string() + " is truncated or no PCD file");
+    throw unreadable;
   }
-  throw IoError("map " + file.string() + " is truncated or no PCD file");
+  return cloud;
 }
 
 const PCLPointField* findField(const pcl::PCLPointCloud2& cloud, const std::string& name) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -11,27 +13,44 @@ namespace segdf {
 namespace {
 
 constexpr double kFinest = 0.05;         // metres a pixel
-constexpr double kLongestSide = 2400.0;  // pixels
-constexpr double kMargin = 1.0;          // metres
+constexpr double kLongestSide = 1600.0;  // pixels
+constexpr double kMargin = 3.0;          // metres
+constexpr double kLeftOut = 0.003;       // of the points at each side
 constexpr double kBrightest = 40.0;      // points in a pixel
 constexpr VerdictColour kGround{16, 18, 22};
+
+/// The range of one coordinate without its outermost points: lone returns from far away would leave
+/// most of the picture empty.
+std::pair<double, double> middleOf(const std::vector<Eigen::Vector3f>& points, int axis) {
+  if (points.empty()) return {0.0, 0.0};
+  std::vector<float> values;
+  values.reserve(points.size());
+  for (const Eigen::Vector3f& p : points) values.push_back(p[axis]);
+  const auto at = [&values](double share) {
+    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + k, values.end());
+    return static_cast<double>(values[static_cast<std::size_t>(k)]);
+  };
+  return {at(kLeftOut), at(1.0 - kLeftOut)};
+}
 
 /// Where points fall in the picture.
 struct Raster {
   explicit Raster(const std::vector<Eigen::Vector3f>& points) {
-    for (const Eigen::Vector3f& p : points) area.extend(p.head<2>().cast<double>().eval());
-    if (area.isEmpty()) area.extend(Eigen::Vector2d::Zero());
-    area.extend((area.min().array() - kMargin).matrix().eval());
-    area.extend((area.max().array() + kMargin).matrix().eval());
+    const auto [west, east] = middleOf(points, 0);
+    const auto [south, north] = middleOf(points, 1);
+    area.extend(Eigen::Vector2d(west - kMargin, south - kMargin));
+    area.extend(Eigen::Vector2d(east + kMargin, north + kMargin));
     pixel = std::max(kFinest, area.sizes().maxCoeff() / kLongestSide);
     width = static_cast<std::size_t>(area.sizes().x() / pixel) + 1;
     height = static_cast<std::size_t>(area.sizes().y() / pixel) + 1;
   }
-  std::size_t columnOf(const Eigen::Vector3f& p) const {
-    return static_cast<std::size_t>((static_cast<double>(p.x()) - area.min().x()) / pixel);
-  }
-  std::size_t rowOf(const Eigen::Vector3f& p) const {
-    return static_cast<std::size_t>((area.max().y() - static_cast<double>(p.y())) / pixel);
+  /// Nothing outside the picture.
+  std::optional<std::pair<std::size_t, std::size_t>> place(const Eigen::Vector3f& p) const {
+    const Eigen::Vector2d at = p.head<2>().cast<double>();
+    if (!area.contains(at)) return std::nullopt;
+    return std::pair{static_cast<std::size_t>((at.x() - area.min().x()) / pixel),
+                     static_cast<std::size_t>((area.max().y() - at.y()) / pixel)};
   }
 
   Eigen::AlignedBox2d area;
@@ -52,7 +71,8 @@ void paintDensity(RgbImage& image, const Raster& raster, const DraftScores& scor
   std::vector<std::uint32_t> count(raster.width * raster.height, 0);
   for (std::size_t i = 0; i < scores.points.size(); ++i) {
     if (scores.verdicts[i] != MapVerdict::kTruePositive) continue;
-    ++count[raster.rowOf(scores.points[i]) * raster.width + raster.columnOf(scores.points[i])];
+    const auto place = raster.place(scores.points[i]);
+    if (place) ++count[place->second * raster.width + place->first];
   }
   const VerdictColour full = colourOf(MapVerdict::kTruePositive);
   for (std::size_t k = 0; k < count.size(); ++k) {
@@ -73,10 +93,10 @@ void paintMistakes(RgbImage& image,
                    MapVerdict verdict) {
   for (std::size_t i = 0; i < scores.points.size(); ++i) {
     if (scores.verdicts[i] != verdict) continue;
-    const std::size_t column = raster.columnOf(scores.points[i]);
-    const std::size_t row = raster.rowOf(scores.points[i]);
+    const auto place = raster.place(scores.points[i]);
+    if (!place) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      paint(image, column + k % 2, row + k / 2, colourOf(verdict));
+      paint(image, place->first + k % 2, place->second + k / 2, colourOf(verdict));
     }
   }
 }

@@ -178,11 +178,11 @@ TEST_F(Evaluate, AMissingScanGetsOneLine) {
 TEST_F(Evaluate, BadMapsGetOneLine) {
   expectOneLine(evaluateMap(folder_ / "none.pcd"), "no map");
   expectOneLine(evaluateMap(text("a.pcd", "not a map\n")), "truncated or no PCD file");
-  const std::string head = "VERSION 0.7\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nHEIGHT 1\n";
-  expectOneLine(evaluateMap(text("b.pcd", head + "FIELDS x y i\nWIDTH 1\nPOINTS 1\nDATA ascii\n"
-                                                 "1 2 3\n")),
+  const std::string rest = "SIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nHEIGHT 1\nWIDTH ";
+  expectOneLine(evaluateMap(text("b.pcd", "VERSION 0.7\nFIELDS x y i\n" + rest +
+                                              "1\nPOINTS 1\nDATA ascii\n1 2 3\n")),
                 "no field 'z'; it has: x y i");
-  const std::string xyz = head + "FIELDS x y z\nWIDTH ";
+  const std::string xyz = "VERSION 0.7\nFIELDS x y z\n" + rest;
   expectOneLine(evaluateMap(text("c.pcd", xyz + "0\nPOINTS 0\nDATA ascii\n")), "holds no point");
   expectOneLine(evaluateMap(text("d.pcd", xyz + "100\nPOINTS 100\nDATA binary\nabc")),
                 "truncated or no PCD file");

@@ -7,10 +7,10 @@ const Charts = (() => {
   const percent = (value, digits = 2) => (value === null || value === undefined ? '–' : value.toFixed(digits));
   const whole = (value) => Number(value).toLocaleString('en');
 
-  // bars: [{label, percent or null, points}]
-  function bars(items, colour) {
+  // items: [{label, percent or null, points}]; width: of the place, pixels, so that text keeps its size
+  function bars(items, colour, width) {
     if (!items.length) return '<p class="muted">No such point in this drive.</p>';
-    const width = 520, height = 236, left = 34, bottom = 44, top = 20;
+    const height = 236, left = 34, bottom = 44, top = 20;
     const inner = height - bottom - top, step = (width - left) / items.length;
     const y = (value) => top + inner * (1 - value / 100);
     let svg = `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="${escape(items.map((i) => `${i.label}: ${percent(i.percent, 1)} %`).join(', '))}">`;
@@ -21,7 +21,7 @@ const Charts = (() => {
       const x = left + k * step, middle = x + step / 2, value = item.percent || 0;
       svg += `<rect x="${x + step * 0.18}" width="${step * 0.64}" y="${y(value)}" height="${Math.max(1, inner * value / 100)}" rx="3" fill="${colour}"/>`;
       svg += `<text class="value" x="${middle}" y="${y(value) - 5}" text-anchor="middle">${percent(item.percent, 1)}</text>`;
-      svg += `<text x="${middle}" y="${height - 26}" text-anchor="middle">${escape(item.label)}</text>`;
+      svg += `<text x="${middle}" y="${height - 26}" text-anchor="middle" font-size="${step < 52 ? 10.5 : 12}">${escape(item.label.replace(' m', step < 60 ? '' : ' m'))}</text>`;
       svg += `<text x="${middle}" y="${height - 9}" text-anchor="middle" font-size="10.5">${short(item.points)}</text>`;
     });
     return svg + '</svg>';
@@ -33,16 +33,16 @@ const Charts = (() => {
   }
 
   // curves: [{name, colour, shares: [0..1 of each instance]}]; y: share of instances with at least x removed
-  function recall(curves) {
+  function recall(curves, width) {
     const drawn = curves.filter((c) => c.shares.length);
     if (!drawn.length) return '<p class="muted">The truth of this drive names no instances.</p>';
-    const width = 760, height = 290, left = 40, bottom = 42, top = 14, right = 12;
+    const height = 290, left = 34, bottom = 42, top = 14, right = 8;
     const x = (share) => left + (width - left - right) * share;
     const y = (share) => top + (height - top - bottom) * (1 - share);
     let svg = `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="Recall curves of instances">`;
     for (const tick of [0, 0.25, 0.5, 0.75, 1]) {
       svg += `<line class="grid" x1="${left}" x2="${width - right}" y1="${y(tick)}" y2="${y(tick)}"/><text x="${left - 6}" y="${y(tick) + 4}" text-anchor="end">${tick * 100}</text>`;
-      svg += `<text x="${x(tick)}" y="${height - 24}" text-anchor="middle">${tick * 100} %</text>`;
+      svg += `<text x="${x(tick)}" y="${height - 24}" text-anchor="${tick === 1 ? 'end' : 'middle'}">${tick * 100} %</text>`;
     }
     svg += `<line class="grid" x1="${x(0.5)}" x2="${x(0.5)}" y1="${y(1)}" y2="${y(0)}" stroke-dasharray="4 4"/>`;
     svg += `<text x="${x(0.5)}" y="${height - 5}" text-anchor="middle">removed part of the instance</text>`;
@@ -69,12 +69,12 @@ const Charts = (() => {
       `<span class="meter"><i style="width:${row.percent || 0}%"></i></span><b>${percent(row.percent)}</b></div>`).join('');
   }
 
-  // rows: arrays of cells; a cell is text or {text, wrap}; `wrong` rows are mistakes
+  // rows: [{cells, wrong}]; the first cell is text or {text, note}; wrong rows are mistakes
   function table(columns, rows) {
     const head = columns.map((c) => `<th scope="col">${escape(c)}</th>`).join('');
     const body = rows.map((row) => `<tr${row.wrong ? ' class="wrong"' : ''}>` + row.cells.map((cell, k) => {
-      if (k === 0) return `<th scope="row">${escape(cell)}</th>`;
-      return cell && cell.wrap ? `<td class="wrap">${escape(cell.text)}</td>` : `<td>${escape(cell)}</td>`;
+      if (k > 0) return `<td>${escape(cell)}</td>`;
+      return cell.note ? `<th scope="row" class="wrap">${escape(cell.text)}<small>${escape(cell.note)}</small></th>` : `<th scope="row">${escape(cell)}</th>`;
     }).join('') + '</tr>').join('');
     return `<thead><tr>${head}</tr></thead><tbody>${body}</tbody>`;
   }

@@ -27,7 +27,7 @@
 
   function showProtocols(scene) {
     const { scores } = scene, rows = [];
-    const add = (name, counts, figures) => rows.push({ cells: [name, ...figures, { text: counts, wrap: true }] });
+    const add = (text, note, figures) => rows.push({ cells: [{ text, note }, ...figures] });
     const f1 = (value) => (value === null || value === undefined ? '–' : value.toFixed(4));
     if (scores.SA !== undefined) add('By point index', `${whole(scores.points)} points within ${scores.range_m} m, each by its own label`, [`SA ${percent(scores.SA)}`, `DA ${percent(scores.DA)}`, `AA ${percent(scores.AA)}`]);
     const m = scores.dynamicmap;
@@ -35,8 +35,8 @@
     const e = scores.erasor;
     if (e) add('ERASOR', `${whole(e.static_voxels)} static and ${whole(e.dynamic_voxels)} dynamic voxels of 0.2 m`, [`PR ${percent(e.PR)}`, `RR ${percent(e.RR)}`, `F1 ${f1(e.F1)}`]);
     const d = scores.draft;
-    if (d) add('Draft, section IV', `${d.scans} scans every ${d.spacing_m} m, voxels of 0.05 m: TP ${whole(d.TP)}, FP ${whole(d.FP)}, TN ${whole(d.TN)}, FN ${whole(d.FN)}; ${percent(d.dynamic_rejected)} % of the dynamic points rejected`, [`P ${percent(d.precision)}`, `R ${percent(d.recall)}`, `F1 ${f1(d.F1)}`]);
-    $('protocols').innerHTML = table(['Protocol', 'Static', 'Moving', 'Both', 'What it counts'], rows);
+    if (d) add('Draft, section IV', `${d.scans} scans every ${d.spacing_m} m, voxels of 0.05 m: TP ${whole(d.TP)}, FP ${whole(d.FP)}, TN ${whole(d.TN)}, FN ${whole(d.FN)}; ${percent(d.dynamic_rejected)} % of the dynamic points rejected`, [`R ${percent(d.recall)}`, `P ${percent(d.precision)}`, `F1 ${f1(d.F1)}`]);
+    $('protocols').innerHTML = table(['Protocol and what it counts', 'Keeps', 'Rejects', 'Mean'], rows);
   }
 
   function showScenes() {
@@ -47,11 +47,13 @@
     }));
   }
 
+  const widthOf = (id) => Math.max(260, $(id).clientWidth || 520);
+
   function showRanges(scene) {
     const s = points(scene);
     const items = (bands) => Object.entries(bands || {}).map(([label, b]) => ({ label: label.replace('beyond ', '> '), percent: b.percent, points: b.points }));
-    $('range-sa').innerHTML = bars(items(s.SA_by_range), css('--good'));
-    $('range-da').innerHTML = bars(items(s.DA_by_range), css('--accent'));
+    $('range-sa').innerHTML = bars(items(s.SA_by_range), css('--good'), widthOf('range-sa'));
+    $('range-da').innerHTML = bars(items(s.DA_by_range), css('--accent'), widthOf('range-da'));
   }
 
   function showClasses(scene) {
@@ -66,7 +68,7 @@
     $('recall').innerHTML = recall([
       { name: 'moving', colour: css('--accent'), shares: of(true) },
       { name: 'static', colour: css('--bad'), shares: of(false) }
-    ]);
+    ], widthOf('recall'));
     const rows = [...scene.instances].sort((a, b) => (b.moving - a.moving) || (b.points - a.points));
     $('instances-box').hidden = !rows.length;
     $('instances').innerHTML = table(['Class', 'Id', 'Truth', 'Points', 'Removed'], rows.map((i) => ({
@@ -79,10 +81,11 @@
     const { columns, rows, total } = scene.evidence;
     $('s-evidence').hidden = !total;
     if (!total) return;
-    $('evidence-note').textContent = `${total} instances of the run's instances.csv were judged dynamic` + (total > rows.length ? `; the largest ${rows.length} are listed.` : '.') + ' The last column is how much of it moves by the truth; red is a mistake.';
-    $('evidence').innerHTML = table([...columns.map((c) => c.replace(/_/g, ' ')), 'moving by truth'], rows.map((r) => ({
+    $('evidence-note').textContent = `${total} instances of the run's instances.csv were judged dynamic` + (total > rows.length ? `; the largest ${rows.length} are listed.` : '.') + ' Beside each stands how much of it moves by the truth; red is a mistake.';
+    const heads = columns.map((c) => c.replace(/_/g, ' '));
+    $('evidence').innerHTML = table([heads[0], 'moves by truth', ...heads.slice(1)], rows.map((r) => ({
       wrong: r.moving !== null && r.moving < 50,
-      cells: [...r.cells, r.moving === null ? '–' : `${percent(r.moving, 1)} %`]
+      cells: [r.cells[0], r.moving === null ? '–' : `${percent(r.moving, 1)} %`, ...r.cells.slice(1)]
     })));
   }
 
@@ -168,6 +171,11 @@
   $('from-above').onclick = () => viewer.look('above');
   $('oblique').onclick = () => viewer.look('oblique');
   $('on-road').onclick = () => viewer.look('road');
+  let settling = 0;
+  window.addEventListener('resize', () => {
+    clearTimeout(settling);
+    settling = setTimeout(() => { showRanges(scenes[current]); showInstances(scenes[current]); }, 150);
+  });
   showScenes();
   show(0);
 })();

@@ -138,7 +138,9 @@ class MapViewer {
       const ramp = Array.from({ length: 256 }, (_, k) => heightColour(k / 255, dark));
       return (i) => ramp[Math.max(0, Math.min(255, Math.round(255 * (this.position[3 * i + 2] - low) / (high - low))))];
     }
-    return (i) => fates[this.fate[i]];
+    // What is right and static is shaded by its intensity, so that it has shape and mistakes stand out.
+    const shades = shadesOf(this.intensity, fates[0], dark);
+    return (i) => (this.fate[i] === 0 ? shades[this.intensity[i]] : fates[this.fate[i]]);
   }
 
   // 2 % and 98 % of the heights, in steps.
@@ -237,15 +239,18 @@ function hashColour(id, dark) {
   return [c.r * 255, c.g * 255, c.b * 255];
 }
 
-// Equalised over the intensities that occur, so that any sensor's unit shows its contrast.
-function intensityRamp(intensity, dark) {
+const intensityRamp = (intensity, dark) => equalised(intensity).map((share) => heightColour(share, dark));
+const shadesOf = (intensity, colour, dark) => equalised(intensity).map((share) => colour.map((c) => Math.min(255, c * (dark ? 0.5 + 0.7 * share : 0.7 + 0.75 * (1 - share)))));
+
+// Share of points below each intensity, so that any sensor's unit shows its contrast.
+function equalised(intensity) {
   const histogram = new Float64Array(256);
   for (let i = 0; i < intensity.length; i += 7) ++histogram[intensity[i]];
   let sum = 0;
   const total = histogram.reduce((a, b) => a + b, 0) || 1;
   return Array.from(histogram, (count) => {
     sum += count;
-    return heightColour((sum - count / 2) / total, dark);
+    return (sum - count / 2) / total;
   });
 }
 
