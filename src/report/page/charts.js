@@ -69,11 +69,11 @@ const Charts = (() => {
       `<span class="meter"><i style="width:${row.percent || 0}%"></i></span><b>${percent(row.percent)}</b></div>`).join('');
   }
 
-  // rows: [{cells, wrong}]; the first cell is text or {text, note}; wrong rows are mistakes
+  // rows: [{cells, wrong}]; the first cell is text or {text, note}, others text or {label, value}; wrong rows are mistakes
   function table(columns, rows) {
     const head = columns.map((c) => `<th scope="col">${escape(c)}</th>`).join('');
     const body = rows.map((row) => `<tr${row.wrong ? ' class="wrong"' : ''}>` + row.cells.map((cell, k) => {
-      if (k > 0) return `<td>${escape(cell)}</td>`;
+      if (k > 0) return cell && cell.label ? `<td><small>${escape(cell.label)}</small>${escape(cell.value)}</td>` : `<td>${escape(cell)}</td>`;
       return cell.note ? `<th scope="row" class="wrap">${escape(cell.text)}<small>${escape(cell.note)}</small></th>` : `<th scope="row">${escape(cell)}</th>`;
     }).join('') + '</tr>').join('');
     return `<thead><tr>${head}</tr></thead><tbody>${body}</tbody>`;
