@@ -2,9 +2,11 @@
 #include "evaluate_protocols.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "segdf/core/config.hpp"
+#include "segdf/core/parallel.hpp"
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/evaluation/index_protocol.hpp"
 #include "segdf/evaluation/map_overlap.hpp"
@@ -39,7 +41,7 @@ PointScores scoreByIndex(const LabelledDrive& drive, double range) {
 DraftProtocol collectDraft(const LabelledDrive& drive,
                            const ProtocolChoice& choice,
                            std::size_t& scans) {
-  DraftProtocol protocol(choice.range);
+  DraftProtocol protocol(choice.range, choice.threads);
   SpacedScans spaced(choice.spacing);
   scans = 0;
   drive.forEach([&](const LabelledScan& labelled) {
@@ -52,11 +54,11 @@ DraftProtocol collectDraft(const LabelledDrive& drive,
 
 PointScores scoreByMap(const LabelledDrive& drive,
                        const std::vector<Eigen::Vector3f>& map,
-                       double range) {
-  MapProtocol protocol(map, range);
+                       const ProtocolChoice& choice) {
+  MapProtocol protocol(map, choice.range, choice.threads);
   drive.forEach(
       [&protocol](const LabelledScan& labelled) { protocol.add(labelled.scan, labelled.truth); });
-  requireScored(protocol.scores(), drive, range);
+  requireScored(protocol.scores(), drive, choice.range);
   return protocol.scores();
 }
 
@@ -86,14 +88,13 @@ ClassedPoints erasorPoints(const LabelledScan& labelled, bool kept_only) {
   return points;
 }
 
-VoxelScores scoreErasor(const LabelledDrive& drive) {
-  VoxelMapBuilder truth;
-  VoxelMapBuilder estimate;
+VoxelScores scoreErasor(const LabelledDrive& drive, int threads) {
+  std::array<VoxelMapBuilder, 2> maps;  // of the truth, and of the points that are kept
   drive.forEach([&](const LabelledScan& labelled) {
-    truth.add(erasorPoints(labelled, false));
-    estimate.add(erasorPoints(labelled, true));
+    parallelFor(maps.size(), threads,
+                [&](std::size_t k) { maps[k].add(erasorPoints(labelled, k == 1)); });
   });
-  return compareVoxelMaps(truth.finish(), estimate.finish());
+  return compareVoxelMaps(maps[0].finish(), maps[1].finish());
 }
 
 ClassedPoints allTruth(const LabelledDrive& drive) {
@@ -108,8 +109,8 @@ ClassedPoints allTruth(const LabelledDrive& drive) {
   return truth;
 }
 
-ClassedPoints classedMap(const LabelledDrive& drive, const MapCloud& map) {
-  if (map.labels.empty()) return transferClasses(allTruth(drive), map.points);
+ClassedPoints classedMap(const LabelledDrive& drive, const MapCloud& map, int threads) {
+  if (map.labels.empty()) return transferClasses(allTruth(drive), map.points, threads);
   ClassedPoints classed;
   classed.points = map.points;
   classed.classes.reserve(map.labels.size());
@@ -119,8 +120,9 @@ ClassedPoints classedMap(const LabelledDrive& drive, const MapCloud& map) {
   return classed;
 }
 
-VoxelScores scoreErasorMap(const LabelledDrive& drive, const MapCloud& map) {
-  const ClassedPoints estimate = voxelFilter(classedMap(drive, map), VoxelMapBuilder::kLeaf);
+VoxelScores scoreErasorMap(const LabelledDrive& drive, const MapCloud& map, int threads) {
+  const ClassedPoints estimate =
+      voxelFilter(classedMap(drive, map, threads), VoxelMapBuilder::kLeaf);
   VoxelMapBuilder truth;
   drive.forEach(
       [&truth](const LabelledScan& labelled) { truth.add(erasorPoints(labelled, false)); });
@@ -178,8 +180,8 @@ DriveScores scoreLabels(const LabelledDrive& drive, const ProtocolChoice& choice
   DriveScores scores = blankScores(drive, choice);
   if (choice.index) scores.index = scoreByIndex(drive, choice.range);
   if (choice.draft) scores.draft = collectDraft(drive, choice, scores.draft_scans).score();
-  if (choice.erasor) scores.erasor = scoreErasor(drive);
-  if (choice.map) scores.map = scoreByMap(drive, keptPoints(drive), choice.range);
+  if (choice.erasor) scores.erasor = scoreErasor(drive, choice.threads);
+  if (choice.map) scores.map = scoreByMap(drive, keptPoints(drive), choice);
   return scores;
 }
 
@@ -191,8 +193,8 @@ DriveScores scoreMap(const LabelledDrive& drive,
   if (choice.draft) {
     scores.draft = collectDraft(drive, choice, scores.draft_scans).score(map.points);
   }
-  if (choice.erasor) scores.erasor = scoreErasorMap(drive, map);
-  if (choice.map) scores.map = scoreByMap(drive, map.points, choice.range);
+  if (choice.erasor) scores.erasor = scoreErasorMap(drive, map, choice.threads);
+  if (choice.map) scores.map = scoreByMap(drive, map.points, choice);
   return scores;
 }
 

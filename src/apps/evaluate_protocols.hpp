@@ -19,6 +19,7 @@ struct ProtocolChoice {
   bool map = false;      ///< DynamicMap benchmark
   double range = 50.0;   ///< metres
   double spacing = 2.0;  ///< of the draft's scans, metres
+  int threads = 1;       ///< same figures with any
 };
 
 /// Scores the labels of a drive. @throws IoError

@@ -67,6 +67,9 @@ void addOptions(CLI::App& app, Options& options) {
       ->expected(6);
   app.add_option("--map-labels", options.map_labels,
                  "field of the map with truth labels for erasor (default: from the nearest truth)");
+  app.add_option("--threads", options.choice.threads,
+                 "worker threads (default 1); same figures with any")
+      ->check(CLI::Range(1, 256));
   app.add_option("--json", options.json, "also write the figures here");
   app.add_option("--output", options.output,
                  "also write the draft's coloured map here, as PCD and PNG");

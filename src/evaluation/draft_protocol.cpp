@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/evaluation/draft_protocol.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "segdf/core/semantic_kitti.hpp"
@@ -24,8 +23,9 @@ class VoxelMap {
         grid_(centroids_, DraftProtocol::kCoAppearance) {}
 
   const std::vector<Eigen::Vector3f>& centroids() const { return centroids_; }
-  bool shows(const Eigen::Vector3f& point) const {
-    return grid_.hasWithin(point, DraftProtocol::kCoAppearance);
+  /// 1 for each point that appears in this map, else 0.
+  std::vector<std::uint8_t> shows(const std::vector<Eigen::Vector3f>& points, int threads) const {
+    return grid_.haveWithin(points, DraftProtocol::kCoAppearance, threads);
   }
 
  private:
@@ -33,24 +33,29 @@ class VoxelMap {
   PointGrid grid_;
 };
 
-DraftScores compare(const VoxelMap& truth, const VoxelMap& dynamic, const VoxelMap& estimate) {
+DraftScores compare(const VoxelMap& truth,
+                    const VoxelMap& dynamic,
+                    const VoxelMap& estimate,
+                    int threads) {
   DraftScores scores;
   const auto note = [&scores](const Eigen::Vector3f& point, MapVerdict verdict) {
     scores.points.push_back(point);
     scores.verdicts.push_back(verdict);
   };
-  for (const Eigen::Vector3f& point : estimate.centroids()) {
-    const bool there = truth.shows(point);
-    ++(there ? scores.true_positive : scores.false_positive);
-    note(point, there ? MapVerdict::kTruePositive : MapVerdict::kFalsePositive);
+  const std::vector<std::uint8_t> right = truth.shows(estimate.centroids(), threads);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    ++(right[i] != 0 ? scores.true_positive : scores.false_positive);
+    note(estimate.centroids()[i],
+         right[i] != 0 ? MapVerdict::kTruePositive : MapVerdict::kFalsePositive);
   }
-  for (const Eigen::Vector3f& point : truth.centroids()) {
-    if (estimate.shows(point)) continue;
+  const std::vector<std::uint8_t> kept = estimate.shows(truth.centroids(), threads);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] != 0) continue;
     ++scores.false_negative;
-    note(point, MapVerdict::kFalseNegative);
+    note(truth.centroids()[i], MapVerdict::kFalseNegative);
   }
-  for (const Eigen::Vector3f& point : dynamic.centroids()) {
-    scores.rejected_dynamic.count(!estimate.shows(point));
+  for (const std::uint8_t remains : estimate.shows(dynamic.centroids(), threads)) {
+    scores.rejected_dynamic.count(remains == 0);
   }
   return scores;
 }
@@ -91,21 +96,22 @@ void DraftProtocol::add(const Scan& scan,
 }
 
 DraftScores DraftProtocol::score() const {
-  return compare(VoxelMap(static_), VoxelMap(dynamic_), VoxelMap(estimate_));
+  return compare(VoxelMap(static_), VoxelMap(dynamic_), VoxelMap(estimate_), threads_);
 }
 
 DraftScores DraftProtocol::score(const std::vector<Eigen::Vector3f>& map) const {
   const VoxelMap truth(static_);
   const VoxelMap dynamic(dynamic_);
-  std::vector<Eigen::Vector3f> scored = voxelCentroids(map, kVoxel);
-  const VoxelMap unscored(unscored_);
-  scored.erase(std::remove_if(scored.begin(), scored.end(),
-                              [&](const Eigen::Vector3f& point) {
-                                return !truth.shows(point) && unscored.shows(point) &&
-                                       !dynamic.shows(point);
-                              }),
-               scored.end());
-  return compare(truth, dynamic, VoxelMap(scored));
+  const std::vector<Eigen::Vector3f> voxels = voxelCentroids(map, kVoxel);
+  const std::vector<std::uint8_t> in_static = truth.shows(voxels, threads_);
+  const std::vector<std::uint8_t> in_dynamic = dynamic.shows(voxels, threads_);
+  const std::vector<std::uint8_t> in_unscored = VoxelMap(unscored_).shows(voxels, threads_);
+  std::vector<Eigen::Vector3f> scored;
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const bool left_out = in_unscored[i] != 0 && in_static[i] == 0 && in_dynamic[i] == 0;
+    if (!left_out) scored.push_back(voxels[i]);
+  }
+  return compare(truth, dynamic, VoxelMap(scored), threads_);
 }
 
 bool SpacedScans::pick(const Pose& pose) {

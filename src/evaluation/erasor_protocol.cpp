@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "segdf/core/parallel.hpp"
 #include "segdf/core/semantic_kitti.hpp"
 
 namespace segdf {
@@ -47,16 +48,18 @@ VoxelScores compareVoxelMaps(const ClassedPoints& truth, const ClassedPoints& es
   return scores;
 }
 
-ClassedPoints transferClasses(const ClassedPoints& truth, const std::vector<Eigen::Vector3f>& map) {
+ClassedPoints transferClasses(const ClassedPoints& truth,
+                              const std::vector<Eigen::Vector3f>& map,
+                              int threads) {
+  constexpr std::size_t kGrain = 4096;
   const PointGrid grid(truth.points, kTransferCell);
-  ClassedPoints labelled;
-  labelled.points = map;
-  labelled.classes.reserve(map.size());
-  for (const Eigen::Vector3f& point : map) {
-    const auto nearest = grid.nearest(point, kTransferReach);
-    labelled.classes.push_back(nearest ? truth.classes[nearest->index]
-                                       : semantic_kitti::kUnlabelled);
-  }
+  ClassedPoints labelled{map, std::vector<std::uint16_t>(map.size(), semantic_kitti::kUnlabelled)};
+  parallelBlocks(map.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto nearest = grid.nearest(map[i], kTransferReach);
+      if (nearest) labelled.classes[i] = truth.classes[nearest->index];
+    }
+  });
   return labelled;
 }
 

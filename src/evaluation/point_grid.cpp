@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "segdf/core/parallel.hpp"
+
 namespace segdf {
 
 namespace {
@@ -125,6 +127,17 @@ bool PointGrid::hasWithin(const Eigen::Vector3f& place, double radius) const {
     }
   }
   return false;
+}
+
+std::vector<std::uint8_t> PointGrid::haveWithin(const std::vector<Eigen::Vector3f>& places,
+                                                double radius,
+                                                int threads) const {
+  constexpr std::size_t kGrain = 4096;
+  std::vector<std::uint8_t> found(places.size());
+  parallelBlocks(places.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = hasWithin(places[i], radius) ? 1 : 0;
+  });
+  return found;
 }
 
 std::optional<PointGrid::Neighbour> PointGrid::nearest(const Eigen::Vector3f& place,

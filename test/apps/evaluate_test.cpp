@@ -84,6 +84,7 @@ TEST_F(Evaluate, EveryProtocolIsNamed) {
        {"by point index", "draft's section IV", "ERASOR, voxel-wise", "DynamicMap, nearest"}) {
     EXPECT_TRUE(contains(all.out, name));
   }
+  EXPECT_EQ(evaluate(drive() / "labels", "--protocol all --threads 3").out, all.out);
   const Outcome one = evaluate(drive() / "labels", "--protocol erasor");
   EXPECT_FALSE(contains(one.out, "by point index"));
   EXPECT_TRUE(contains(one.out, "PR 100.00  RR 0.00  F1 0.0000")) << "nothing was removed";

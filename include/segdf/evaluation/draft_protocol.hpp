@@ -44,7 +44,7 @@ class DraftProtocol {
   static constexpr double kSpacing = 2.0;       ///< metres
 
   /// @param range metres from the sensor, inclusive
-  explicit DraftProtocol(double range = 50.0) : range_(range) {}
+  explicit DraftProtocol(double range = 50.0, int threads = 1) : range_(range), threads_(threads) {}
 
   /// Adds a scan of the truth. Where `estimate` is not empty it holds a label for each point, and
   /// the estimated map is made of the scored points that are kept.
@@ -62,6 +62,7 @@ class DraftProtocol {
 
  private:
   double range_;
+  int threads_;
   std::vector<Eigen::Vector3f> static_;
   std::vector<Eigen::Vector3f> dynamic_;
   std::vector<Eigen::Vector3f> unscored_;

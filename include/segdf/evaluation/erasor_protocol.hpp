@@ -44,6 +44,8 @@ VoxelScores compareVoxelMaps(const ClassedPoints& truth, const ClassedPoints& es
 /// Classes for the points of a map without labels: that of the nearest point of the truth, 0 when
 /// there is none within 0.6 m. Further away no class can matter: a voxel that can be an inlier has
 /// a point of the truth within half its diagonal plus the whole diagonal of the truth's voxel.
-ClassedPoints transferClasses(const ClassedPoints& truth, const std::vector<Eigen::Vector3f>& map);
+ClassedPoints transferClasses(const ClassedPoints& truth,
+                              const std::vector<Eigen::Vector3f>& map,
+                              int threads = 1);
 
 }  // namespace segdf

@@ -15,12 +15,14 @@ namespace segdf {
 /// resolution of the scans: a map thinned to 0.1 m loses SA without having removed anything.
 class MapProtocol {
  public:
+  static constexpr double kTolerance = 0.05;  ///< metres, inclusive
+
   /// @param map points of the map to score, in the frame of the scans' poses, metres
-  /// @param range metres from the sensor; @param tolerance metres; both inclusive
+  /// @param range metres from the sensor, inclusive
   explicit MapProtocol(const std::vector<Eigen::Vector3f>& map,
                        double range = 50.0,
-                       double tolerance = 0.05)
-      : map_(map, 2.0 * tolerance), range_(range), tolerance_(tolerance) {}
+                       int threads = 1)
+      : map_(map, 2.0 * kTolerance), range_(range), threads_(threads) {}
 
   /// Adds one scan of the truth. @throws std::invalid_argument when points and labels differ in
   /// number
@@ -31,7 +33,7 @@ class MapProtocol {
  private:
   PointGrid map_;
   double range_;
-  double tolerance_;
+  int threads_;
   PointScores scores_;
 };
 

@@ -38,6 +38,11 @@ class PointGrid {
   /// that was given.
   std::optional<Neighbour> nearest(const Eigen::Vector3f& place, double radius) const;
 
+  /// hasWithin for each place, 1 or 0, on up to `threads` threads.
+  std::vector<std::uint8_t> haveWithin(const std::vector<Eigen::Vector3f>& places,
+                                       double radius,
+                                       int threads) const;
+
   /// Occupied cells, ordered by x, then y, then z; the points of a cell are in the order given.
   const std::vector<Cell>& cells() const { return cells_; }
   const Eigen::Vector3f& sortedPoint(std::size_t position) const { return points_[position]; }
