@@ -103,6 +103,16 @@ double PointGrid::squaredDistanceToCell(const Eigen::Vector3f& place, const Cell
   return sum;
 }
 
+double PointGrid::distanceToFaces(const Eigen::Vector3f& place, const CellPlace& cell) const {
+  double least = cell_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double in_cell =
+        static_cast<double>(place[static_cast<int>(k)]) - static_cast<double>(cell[k]) * cell_;
+    least = std::min({least, in_cell, cell_ - in_cell});
+  }
+  return std::max(least, 0.0);  // rounding may put a place on a face just outside
+}
+
 bool PointGrid::hasWithin(const Eigen::Vector3f& place, double radius) const {
   const double limit = radius * radius;
   const auto near = [&](const CellPlace& at) {
@@ -159,8 +169,9 @@ std::optional<PointGrid::Neighbour> PointGrid::nearest(const Eigen::Vector3f& pl
   visit(own);
   // Shells of cells around the own one, until a shell is further away than the best point.
   const auto rings = static_cast<std::int64_t>(std::ceil(radius / cell_));
+  const double inset = distanceToFaces(place, own);
   for (std::int64_t ring = 1; ring <= rings; ++ring) {
-    const double gap = static_cast<double>(ring - 1) * cell_;
+    const double gap = inset + static_cast<double>(ring - 1) * cell_;
     if (gap * gap > best) break;
     for (std::int64_t x = -ring; x <= ring; ++x) {
       for (std::int64_t y = -ring; y <= ring; ++y) {

@@ -55,6 +55,8 @@ class PointGrid {
   std::uint64_t keyOf(const CellPlace& place) const;
   /// Square of the distance from a place to the nearest point of a cell's cube.
   double squaredDistanceToCell(const Eigen::Vector3f& place, const CellPlace& cell) const;
+  /// From a place in a cell to the nearest of the cell's faces.
+  double distanceToFaces(const Eigen::Vector3f& place, const CellPlace& cell) const;
   const Cell* find(const CellPlace& place) const;
   void sort(const std::vector<Eigen::Vector3f>& points);
   void hashCells();
