@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/evaluation/map_overlap.hpp"
 
+#include <algorithm>
+
 #include "segdf/evaluation/point_grid.hpp"
 
 namespace segdf {
@@ -9,8 +11,9 @@ namespace {
 
 constexpr double kNear = 0.25;            // metres: more than half the diagonal of a 0.2 m voxel
 constexpr std::size_t kEnough = 4000000;  // map points: more only take time
-constexpr int kSteps = 30;     // of 0.1 m, up and down: a sensor stands no higher than 3 m
-constexpr double kStep = 0.1;  // metres
+constexpr int kSteps = 30;        // of 0.1 m, up and down: a sensor stands no higher than 3 m
+constexpr double kStep = 0.1;     // metres
+constexpr double kEqual = 0.002;  // shares that differ by chance only
 
 double shareNear(const std::vector<Eigen::Vector3f>& truth, const PointGrid& map, double raise) {
   if (truth.empty()) return 0.0;
@@ -32,13 +35,21 @@ MapOverlap measureOverlap(const std::vector<Eigen::Vector3f>& truth,
   const PointGrid grid(thinned, kNear);
   MapOverlap overlap;
   overlap.share = shareNear(truth, grid, 0.0);
-  overlap.raised_share = overlap.share;
+  std::vector<double> shares;
   for (int step = -kSteps; step <= kSteps; ++step) {
-    const double share = shareNear(truth, grid, step * kStep);
-    if (share <= overlap.raised_share) continue;
-    overlap.raised_share = share;
-    overlap.raise = step * kStep;
+    shares.push_back(shareNear(truth, grid, step * kStep));
   }
+  overlap.raised_share = *std::max_element(shares.begin(), shares.end());
+  if (overlap.share >= overlap.raised_share - kEqual) return overlap;
+  // Several heights fit equally well, as far as "near" reaches; the right one is in their middle.
+  double sum = 0.0;
+  int fitting = 0;
+  for (int step = -kSteps; step <= kSteps; ++step) {
+    if (shares[static_cast<std::size_t>(step + kSteps)] < overlap.raised_share - kEqual) continue;
+    sum += step * kStep;
+    ++fitting;
+  }
+  overlap.raise = sum / fitting;
   return overlap;
 }
 

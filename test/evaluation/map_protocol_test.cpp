@@ -65,8 +65,7 @@ TEST(MapOverlap, FindsTheHeightOfTheSensor) {
   const MapOverlap overlap = measureOverlap(truth, map);
   EXPECT_DOUBLE_EQ(overlap.share, 0.0);
   EXPECT_DOUBLE_EQ(overlap.raised_share, 1.0);
-  // Anything within 0.25 m of -1.7 fits equally well, in steps of 0.1 m.
-  EXPECT_NEAR(overlap.raise, -1.7, 0.26);
+  EXPECT_NEAR(overlap.raise, -1.7, 0.051) << "to half a step";
   const MapOverlap fits = measureOverlap(truth, truth);
   EXPECT_DOUBLE_EQ(fits.share, 1.0);
   EXPECT_DOUBLE_EQ(fits.raise, 0.0);

@@ -75,6 +75,31 @@ TEST_F(Kitti, LidarPosesNeedNoCalibration) {
   EXPECT_TRUE(source.next()->pose.isApprox(scans_[0].pose, 1e-12));
 }
 
+TEST_F(Kitti, SelectedFramesKeepTheFrameOfTheWholeDrive) {
+  KittiSource source(drive(), 10.0, parseFrameRange("1:2"));
+  ASSERT_EQ(source.size(), 2U);
+  EXPECT_EQ(source.sizeOfDrive(), 3U);
+  EXPECT_EQ(source.nameOf(0), "000001");
+  const auto scan = source.next();
+  EXPECT_EQ(scan->stamp_ns, scans_[1].stamp_ns);
+  EXPECT_TRUE(scan->pose.isApprox(scans_[0].pose.inverse() * scans_[1].pose, 1e-9));
+  ASSERT_TRUE(source.next());
+  EXPECT_FALSE(source.next());
+  KittiSource every_second(drive(), 10.0, parseFrameRange("0:2:2"));
+  EXPECT_EQ(every_second.size(), 2U);
+  EXPECT_EQ(every_second.positionOf(1), 2U);
+}
+
+TEST_F(Kitti, FramesThatAreNotThereAreNamed) {
+  const auto open = [this](const std::string& frames) {
+    return errorOf([&] { KittiSource(drive(), 10.0, parseFrameRange(frames)); });
+  };
+  EXPECT_TRUE(contains(open("1:3"), "frames up to 3"));
+  for (const char* bad : {"", "1", "2:1", "0:2:0", "-1:2", "0:2:1:1", "a:b", "0:99999999999"}) {
+    EXPECT_TRUE(contains(open(bad), "are no range")) << bad;
+  }
+}
+
 TEST_F(Kitti, WithoutTimesTheRateIsAssumed) {
   fs::remove(drive() / "times.txt");
   KittiSource source(drive(), 2.0);
