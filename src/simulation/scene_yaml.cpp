@@ -196,7 +196,7 @@ SceneDescription parseScene(const std::string& yaml, const std::string& where) {
   for (YamlMap& entry : root.maps("things")) scene.things.push_back(readThing(entry));
   root.finish();
   try {
-    CentreLine line(scene.street.bends);
+    const CentreLine line(scene.street.bends);
   } catch (const std::invalid_argument& error) {
     root.fail(error.what());
   }

@@ -28,7 +28,7 @@ class YamlMap {
   void bounds(const std::string& key, Bounds& value, double min, double max);
   void flag(const std::string& key, bool& value);
   void text(const std::string& key, std::string& value);
-  /// One place [along, across] when `list` is null, else a list of them.
+  /// [along, across], or a list of such places.
   void point(const std::string& key, StreetPoint& value);
   void points(const std::string& key, std::vector<StreetPoint>& values);
   void kind(const std::string& key, ObjectKind& value);
