@@ -55,7 +55,7 @@ void addCabin(SceneObject& car, const Cabin& cabin, float colour) {
   const double top = 0.82 * width;
   car.solids.push_back(box({x, 0.0, cabin.roof - 0.03}, {cabin.taper * length, top, 0.06}, colour));
   for (double side : {-1.0, 1.0}) {
-    Solid pillar =
+    const Solid pillar =
         box({x, side * 0.45 * width, cabin.sill + glazed / 2.0}, {0.12, 0.06, glazed}, colour);
     car.solids.push_back(pillar);
     car.solids.push_back(
