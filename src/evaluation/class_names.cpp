@@ -6,7 +6,7 @@
 namespace segdf {
 
 std::string className(std::uint16_t semantic_class) {
-  static const std::map<std::uint16_t, std::string> kNames{
+  static const std::map<std::uint16_t, std::string> names{
       {0, "unlabelled"},    {1, "outlier"},        {9, "static"},         {10, "car"},
       {11, "bicycle"},      {13, "bus"},           {15, "motorcycle"},    {16, "on-rails"},
       {18, "truck"},        {20, "other-vehicle"}, {30, "person"},        {31, "bicyclist"},
@@ -16,8 +16,8 @@ std::string className(std::uint16_t semantic_class) {
       {80, "pole"},         {81, "traffic-sign"},  {99, "other-object"},  {252, "car"},
       {253, "bicyclist"},   {254, "person"},       {255, "motorcyclist"}, {256, "on-rails"},
       {257, "bus"},         {258, "truck"},        {259, "other-vehicle"}};
-  const auto found = kNames.find(semantic_class);
-  return found != kNames.end() ? found->second : "class " + std::to_string(semantic_class);
+  const auto found = names.find(semantic_class);
+  return found != names.end() ? found->second : "class " + std::to_string(semantic_class);
 }
 
 }  // namespace segdf

@@ -44,9 +44,9 @@ MapOverlap measureOverlap(const std::vector<Eigen::Vector3f>& truth,
   // Several heights fit equally well, as far as "near" reaches; the right one is in their middle.
   double sum = 0.0;
   int fitting = 0;
-  for (int step = -kSteps; step <= kSteps; ++step) {
-    if (shares[static_cast<std::size_t>(step + kSteps)] < overlap.raised_share - kEqual) continue;
-    sum += step * kStep;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    if (shares[k] < overlap.raised_share - kEqual) continue;
+    sum += (static_cast<double>(k) - kSteps) * kStep;
     ++fitting;
   }
   overlap.raise = sum / fitting;

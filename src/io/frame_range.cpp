@@ -14,10 +14,10 @@ bool FrameRange::isAll() const {
 
 FrameRange parseFrameRange(const std::string& text) {
   // Nine digits at most: no number that overflows.
-  static const std::regex kForm("([0-9]{1,9}):([0-9]{1,9})(?::([0-9]{1,9}))?");
+  static const std::regex form("([0-9]{1,9}):([0-9]{1,9})(?::([0-9]{1,9}))?");
   std::smatch match;
   FrameRange range;
-  const bool well_formed = std::regex_match(text, match, kForm);
+  const bool well_formed = std::regex_match(text, match, form);
   if (well_formed) {
     range.first = std::stoul(match[1]);
     range.last = std::stoul(match[2]);
