@@ -66,7 +66,7 @@ TEST(Classifier, AFrontStandsOnTheGroundAndABusOnItsWheels) {
   front[Feature::kVerticalShare] = 0.95F;
   front[Feature::kGroundContact] = 0.6F;
   EXPECT_EQ(classOf(front), ObjectClass::kBuilding);
-  front[Feature::kGroundContact] = 0.2F;
+  front[Feature::kGroundContact] = 0.02F;
   EXPECT_TRUE(isTested(classOf(front)));
   FeatureVector bus = object(12.0F, 2.4F, 3.1F);
   bus[Feature::kVerticalShare] = 0.95F;

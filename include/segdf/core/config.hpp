@@ -232,7 +232,7 @@ struct ClassConfig {
   double wall_thickness = 0.7;
   double wall_sigma = 0.25;
   double front_vertical = 0.8;
-  double front_contact = 0.3;
+  double front_contact = 0.05;
   double front_width = 1.0;
   double front_ratio = 3.0;
   double pole_side = 0.8;
