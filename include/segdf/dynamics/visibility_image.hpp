@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "segdf/core/config.hpp"
+#include "segdf/core/scan.hpp"
+#include "segdf/core/segment.hpp"
+
+namespace segdf {
+
+/// What a scan says of a place (method.md 6.4).
+enum class VolumetricState : std::uint8_t {
+  kUnknown,   ///< nothing looked there, or the answers differ
+  kHit,       ///< something returned from there
+  kFree,      ///< every ray around went past it
+  kOccluded,  ///< the rays end before it
+};
+
+/// Spherical image of all points of one scan, ground included: the nearest and the farthest range
+/// in each bin. Rows span the elevations that the scan has, columns the full turn.
+class VisibilityImage {
+ public:
+  /// Used points (role not kUnused) enter. @throws nothing; a scan without points gives an image
+  /// that knows nothing
+  VisibilityImage(const std::vector<Point>& points,
+                  const std::vector<PointRole>& roles,
+                  const DynamicConfig& config);
+
+  /// State of a place in the sensor frame of this scan, metres.
+  /// HIT when a bin within the margin df.margin has its nearest or farthest return within the
+  /// tolerance max(df.tau, df.tau_ratio r) of range r; FREE when every non-empty bin there begins
+  /// behind the tolerance; OCCLUDED when at least half of them begin before it.
+  VolumetricState stateOf(const Eigen::Vector3f& place) const;
+
+ private:
+  using Centimetres = std::int16_t;
+  /// Margins of up to this many columns have their minima prepared.
+  static constexpr int kLevels = 4;
+
+  struct Window {
+    int rows = 0;     ///< half, in bins
+    int columns = 0;  ///< half, in bins
+  };
+
+  Window windowAt(float range) const;
+  void fill(const std::vector<Point>& points, const std::vector<PointRole>& roles);
+  void prepareMinima();
+  std::vector<Centimetres> minima(const Window& window) const;
+  VolumetricState search(int row, int column, const Window& window, int near, int far) const;
+  std::size_t index(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride_) +
+           static_cast<std::size_t>(column + pad_);
+  }
+
+  float tau_;
+  float tau_ratio_;
+  float margin_;
+  float row_step_;     // rad
+  float column_step_;  // rad
+  float lowest_ = 0.0F;
+  int rows_ = 0;
+  int columns_ = 0;
+  int pad_ = 0;  // columns repeated on both sides, so that a window never wraps
+  int stride_ = 0;
+  std::vector<Centimetres> nearest_;
+  std::vector<Centimetres> farthest_;
+  std::array<std::vector<Centimetres>, kLevels> minima_;
+};
+
+}  // namespace segdf

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/visibility_image.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "segdf/core/fast_angle.hpp"
+#include "support/box_world.hpp"
+
+namespace segdf {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+VisibilityImage imageOf(const Scan& scan, const DynamicConfig& config = {}) {
+  return {scan.points, std::vector<PointRole>(scan.points.size(), PointRole::kObject), config};
+}
+
+/// A wall 4 m high across the x axis, 20 m ahead, and nothing else but the ground.
+Scan wallAhead() {
+  test::BoxWorld world;
+  world.add(20.5, 0.0, 1.0, 30.0, 4.0);
+  return world.scan(0.0, 0.0, 0.0, 1);
+}
+
+TEST(VisibilityImage, APlaceIsFreeBeforeAWallHitAtItAndOccludedBehind) {
+  const VisibilityImage image = imageOf(wallAhead());
+  // The sensor is 1.73 m above the ground: 1 m above it is z = -0.73.
+  EXPECT_EQ(image.stateOf({10.0F, 0.0F, -0.73F}), VolumetricState::kFree);
+  EXPECT_EQ(image.stateOf({20.0F, 1.0F, -0.5F}), VolumetricState::kHit);
+  EXPECT_EQ(image.stateOf({30.0F, 0.0F, -0.73F}), VolumetricState::kOccluded);
+}
+
+TEST(VisibilityImage, WhereNoRayReturnedNothingIsKnown) {
+  const VisibilityImage image = imageOf(wallAhead());
+  EXPECT_EQ(image.stateOf({-30.0F, 0.0F, 1.0F}), VolumetricState::kUnknown) << "open sky behind";
+  EXPECT_EQ(image.stateOf({0.5F, 0.0F, -0.5F}), VolumetricState::kUnknown) << "at the sensor";
+  EXPECT_EQ(image.stateOf({80.0F, 0.0F, 0.0F}), VolumetricState::kUnknown) << "too far";
+  EXPECT_EQ(image.stateOf({5.0F, 0.0F, 5.0F}), VolumetricState::kUnknown) << "above the lasers";
+  const VisibilityImage nothing = imageOf(Scan{});
+  EXPECT_EQ(nothing.stateOf({10.0F, 0.0F, 0.0F}), VolumetricState::kUnknown);
+}
+
+TEST(VisibilityImage, NothingOfAScanIsFreeInItsOwnImage) {
+  test::BoxWorld world = test::makeStreet();
+  world.add(8.0, 3.0, 4.2, 1.8, 1.5);
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 1);
+  const VisibilityImage image = imageOf(scan);
+  for (const Point& p : scan.points) {
+    const float range = p.position().norm();
+    if (range < 1.5F || range > 59.0F) continue;
+    ASSERT_EQ(image.stateOf(p.position()), VolumetricState::kHit) << p.position().transpose();
+  }
+}
+
+TEST(VisibilityImage, TheToleranceGrowsWithTheRange) {
+  DynamicConfig config;
+  config.tau = 0.05;
+  config.tau_ratio = 0.02;
+  const VisibilityImage image = imageOf(wallAhead(), config);
+  // 2 % of 20 m is 0.4 m.
+  EXPECT_EQ(image.stateOf({19.7F, 0.0F, 0.0F}), VolumetricState::kHit);
+  EXPECT_EQ(image.stateOf({19.4F, 0.0F, 0.0F}), VolumetricState::kFree);
+}
+
+TEST(VisibilityImage, AnAnswerDoesNotDependOnWhereTheAzimuthBegins) {
+  test::BoxWorld world = test::makeStreet();
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 1);
+  std::size_t compared = 0;
+  std::size_t different = 0;
+  const VisibilityImage image = imageOf(scan);
+  const Eigen::AngleAxisf turn(static_cast<float>(kPi), Eigen::Vector3f::UnitZ());
+  Scan turned = scan;
+  for (Point& p : turned.points) {
+    const Eigen::Vector3f x = turn * p.position();
+    p.x = x.x();
+    p.y = x.y();
+  }
+  const VisibilityImage turned_image = imageOf(turned);
+  for (const Point& p : scan.points) {
+    const Eigen::Vector3f nearer = 0.7F * p.position();
+    ++compared;
+    different += image.stateOf(nearer) != turned_image.stateOf(turn * nearer) ? 1 : 0;
+  }
+  // Points on the border of two bins may change sides by rounding.
+  EXPECT_LT(static_cast<double>(different), 0.01 * static_cast<double>(compared));
+}
+
+TEST(FastAtan2, AgreesWithTheLibraryAllAround) {
+  for (int k = 0; k < 3600; ++k) {
+    const double angle = k * kPi / 1800.0 - kPi + 1e-4;
+    const auto x = static_cast<float>(7.0 * std::cos(angle));
+    const auto y = static_cast<float>(7.0 * std::sin(angle));
+    EXPECT_NEAR(fastAtan2(y, x), std::atan2(y, x), 1e-5F);
+  }
+  EXPECT_EQ(fastAtan2(0.0F, 0.0F), 0.0F);
+}
+
+}  // namespace
+}  // namespace segdf
