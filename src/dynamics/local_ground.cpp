@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/local_ground.hpp"
+
+#include <cstddef>
+
+#include <Eigen/Cholesky>
+
+namespace segdf {
+
+namespace {
+
+constexpr float kReach = 4.0F;           // metres around the area
+constexpr std::size_t kMinPoints = 20;   // for a plane
+constexpr std::size_t kMaxPoints = 2000;  // more tell nothing new
+constexpr int kSteps = 8;
+// Square metres that hold the plane level where the ground is seen on one side only.
+constexpr double kFlatness = 0.3;
+// Metres, of the kernel: what is above the plane may be a wheel, what is below is ground.
+constexpr double kScaleAbove = 0.03;
+constexpr double kScaleBelow = 0.10;
+
+}  // namespace
+
+LocalGround::LocalGround(const KeyFrame& frame, const Eigen::AlignedBox2f& area) : frame_(frame) {
+  Eigen::AlignedBox2f around = area;
+  around.min().array() -= kReach;
+  around.max().array() += kReach;
+  std::vector<Eigen::Vector3f> ground;
+  for (std::size_t i = 0; i < frame.scan.points.size(); ++i) {
+    if (frame.seg.roles[i] != PointRole::kGround) continue;
+    const Eigen::Vector3f x = frame.scan.points[i].position();
+    if (around.contains(x.head<2>())) ground.push_back(x);
+  }
+  if (ground.size() >= kMinPoints) fit(ground);
+}
+
+void LocalGround::fit(const std::vector<Eigen::Vector3f>& ground) {
+  for (const Eigen::Vector3f& x : ground) center_ += x.head<2>();
+  center_ /= static_cast<float>(ground.size());
+  const std::size_t stride = ground.size() / kMaxPoints + 1;
+  const double hold = kFlatness * static_cast<double>(ground.size() / stride);
+  Eigen::Vector3d plane = Eigen::Vector3d::Zero();
+  for (int step = 0; step < kSteps; ++step) {
+    Eigen::Matrix3d normal = Eigen::Vector3d(hold, hold, 0.0).asDiagonal();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < ground.size(); k += stride) {
+      const Eigen::Vector3d row = (Eigen::Vector3f() << ground[k].head<2>() - center_, 1.0F)
+                                      .finished()
+                                      .cast<double>();
+      const auto z = static_cast<double>(ground[k].z());
+      const double off = step == 0 ? 0.0 : z - row.dot(plane);
+      const double scaled = off / (off > 0.0 ? kScaleAbove : kScaleBelow);
+      const double root = 1.0 / (1.0 + scaled * scaled);
+      normal += root * root * row * row.transpose();
+      right += root * root * z * row;
+    }
+    plane = normal.ldlt().solve(right);
+  }
+  plane_ = plane.cast<float>();
+  known_ = true;
+}
+
+float LocalGround::heightOf(std::size_t i) const {
+  if (!known_) return frame_.seg.height[i];
+  const Eigen::Vector3f x = frame_.scan.points[i].position();
+  return x.z() - (plane_.head<2>().dot(x.head<2>() - center_) + plane_.z());
+}
+
+}  // namespace segdf
