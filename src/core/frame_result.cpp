@@ -19,4 +19,24 @@ std::string toString(FrameStatus status) {
   return "unknown";
 }
 
+std::string toString(Reason reason) {
+  switch (reason) {
+    case Reason::kAssociation:
+      return "association";
+    case Reason::kVotes:
+      return "votes";
+    case Reason::kLongLook:
+      return "long_look";
+    case Reason::kTrack:
+      return "track";
+    case Reason::kSplit:
+      return "split";
+    case Reason::kKept:
+      return "kept";
+    case Reason::kNoEvidence:
+      break;
+  }
+  return "no_evidence";
+}
+
 }  // namespace segdf

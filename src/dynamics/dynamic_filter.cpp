@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "segdf/dynamics/literal_filter.hpp"
+#include "segdf/dynamics/visibility_filter.hpp"
 
 namespace segdf {
 
@@ -11,6 +12,8 @@ std::unique_ptr<DynamicFilter> makeDynamicFilter(const Config& config, IdSource&
   switch (config.df.mode) {
     case FilterMode::kLiteral:
       return std::make_unique<LiteralFilter>(config, ids, threads);
+    case FilterMode::kSegdf:
+      return std::make_unique<VisibilityFilter>(config, ids, threads);
   }
   throw std::invalid_argument("parameter df.mode names no dynamic filter");
 }

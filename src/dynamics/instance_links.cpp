@@ -15,6 +15,12 @@ namespace segdf {
 
 namespace {
 
+constexpr double kMotionGate = 2.5;      // metres from where an instance is expected
+constexpr float kSizeRatio = 1.3F;       // of two views of one object
+constexpr float kSizeSlack = 0.3F;       // metres
+constexpr float kLongestMover = 19.0F;   // metres: an articulated bus
+constexpr float kHighestMover = 4.5F;    // metres
+
 /// Segments of `to` that instance `s` of `from` makes one; fewer than two when it fuses nothing.
 std::vector<std::uint32_t> fusionOf(const KeyFrame& from,
                                     std::size_t s,
@@ -63,6 +69,7 @@ struct Link {
   std::uint32_t voxels = 0;
   std::uint32_t id = 0;
   std::uint32_t segment = 0;  ///< of the later frame
+  std::uint32_t from = 0;     ///< segment of the earlier frame
 
   bool operator<(const Link& other) const {
     return std::tie(other.voxels, id, segment) < std::tie(voxels, other.id, other.segment);
@@ -76,12 +83,62 @@ std::vector<Link> linksOf(const KeyFrame& from,
   for (std::size_t s = 0; s < overlaps.size(); ++s) {
     for (const Neighbour& neighbour : overlaps[s].neighbours) {
       if (overlaps[s].overlap(neighbour) < least) continue;
-      links.push_back(
-          {neighbour.voxels, from.instances[s].id, static_cast<std::uint32_t>(neighbour.segment)});
+      links.push_back({neighbour.voxels, from.instances[s].id,
+                       static_cast<std::uint32_t>(neighbour.segment),
+                       static_cast<std::uint32_t>(s)});
     }
   }
   std::sort(links.begin(), links.end());
   return links;
+}
+
+Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
+  return frame.scan.pose * frame.seg.segments[segment].box.center.cast<double>();
+}
+
+/// Like two views of one object that can move.
+bool isAlike(const UprightBox& a, const UprightBox& b) {
+  const Eigen::Array3f larger = a.size.array().max(b.size.array());
+  const Eigen::Array3f smaller = a.size.array().min(b.size.array());
+  return larger.x() <= kLongestMover && larger.z() <= kHighestMover &&
+         (larger <= kSizeRatio * smaller + kSizeSlack).all();
+}
+
+struct MotionLink {
+  double distance = 0.0;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+
+  bool operator<(const MotionLink& other) const {
+    return std::tie(distance, from, to) < std::tie(other.distance, other.from, other.to);
+  }
+};
+
+/// Links of segments without a link so far, by predicted place.
+std::vector<MotionLink> motionLinks(const KeyFrame& from,
+                                    const KeyFrame& to,
+                                    const std::set<std::uint32_t>& given) {
+  const double dt = to.scan.stampSeconds() - from.scan.stampSeconds();
+  std::vector<MotionLink> links;
+  for (std::uint32_t f = 0; f < from.instances.size(); ++f) {
+    if (given.count(from.instances[f].id) != 0) continue;
+    const Eigen::Vector3d predicted = centerOf(from, f) + dt * from.instances[f].velocity;
+    for (std::uint32_t t = 0; t < to.instances.size(); ++t) {
+      if (to.instances[t].id != 0) continue;
+      const double distance = (centerOf(to, t) - predicted).norm();
+      if (distance > kMotionGate) continue;
+      if (isAlike(from.seg.segments[f].box, to.seg.segments[t].box)) {
+        links.push_back({distance, f, t});
+      }
+    }
+  }
+  std::sort(links.begin(), links.end());
+  return links;
+}
+
+void measureVelocity(const KeyFrame& from, std::size_t f, KeyFrame& to, std::size_t t) {
+  const double dt = to.scan.stampSeconds() - from.scan.stampSeconds();
+  if (dt > 0.0) to.instances[t].velocity = (centerOf(to, t) - centerOf(from, f)) / dt;
 }
 
 }  // namespace
@@ -114,10 +171,14 @@ void passOnIds(const KeyFrame& from,
                const DynamicConfig& config,
                IdSource& ids) {
   std::set<std::uint32_t> given;
-  for (const Link& link : linksOf(from, overlaps, config.assoc)) {
-    std::uint32_t& id = to.instances[link.segment].id;
-    if (id == 0 && given.insert(link.id).second) id = link.id;
-  }
+  const auto give = [&](std::uint32_t f, std::uint32_t t) {
+    std::uint32_t& id = to.instances[t].id;
+    if (id != 0 || !given.insert(from.instances[f].id).second) return;
+    id = from.instances[f].id;
+    measureVelocity(from, f, to, t);
+  };
+  for (const Link& link : linksOf(from, overlaps, config.assoc)) give(link.from, link.segment);
+  for (const MotionLink& link : motionLinks(from, to, given)) give(link.from, link.to);
   for (Instance& instance : to.instances) {
     if (instance.id == 0) instance.id = ids.next();
   }

@@ -41,6 +41,7 @@ void LiteralFilter::judgeInstance(KeyFrame& frame,
                                   std::size_t segment,
                                   const SegmentOverlap& overlap) {
   Instance& instance = frame.instances[segment];
+  instance.reason = Reason::kAssociation;
   if (overlap.neighbours.empty()) {
     instance.dynamic = true;
     ++instance.dynamic_votes;
@@ -59,6 +60,7 @@ void LiteralFilter::split(KeyFrame& frame,
   instance.id = ids_.next();
   instance.parent = frame.instances[segment].id;
   instance.dynamic = true;
+  instance.reason = Reason::kSplit;
   ++instance.dynamic_votes;
   ++frame.instances[segment].static_votes;
 }

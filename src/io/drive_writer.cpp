@@ -53,7 +53,8 @@ DriveWriter::DriveWriter(const std::filesystem::path& folder, const Config& conf
     : config_(config),
       folder_(folder),
       static_points_(folder_.staging() / kStaticMap),
-      dynamic_points_(folder_.staging() / kDynamicPoints) {
+      dynamic_points_(folder_.staging() / kDynamicPoints),
+      evidence_(folder_.staging() / "evidence.csv") {
   std::filesystem::create_directory(folder_.staging() / "labels");
   if (config.map.voxel > 0.0) voxel_map_ = std::make_unique<StaticMap>(config.map.voxel);
 }
@@ -61,6 +62,7 @@ DriveWriter::DriveWriter(const std::filesystem::path& folder, const Config& conf
 void DriveWriter::add(const FrameResult& frame) {
   report_.add(frame);
   instances_.add(frame);
+  evidence_.add(frame);
   writeLabels(folder_.staging() / "labels" / labelName(frame.index), encodeAll(frame.labels));
   dynamic_points_.add(
       pointsWhere(frame, [](PointState state) { return state == PointState::kDynamic; }));
@@ -77,7 +79,7 @@ void DriveWriter::add(const FrameResult& frame) {
 void DriveWriter::writeInstances() {
   std::ostringstream csv;
   csv << "id,parent,class,frames,points,dynamic_points,length,width,height,verdict,static_votes,"
-         "dynamic_votes,fused\n"
+         "dynamic_votes,fused,reason\n"
       << std::fixed << std::setprecision(2);
   const std::vector<InstanceRecord> records = instances_.records();
   std::size_t removed = 0;
@@ -86,7 +88,8 @@ void DriveWriter::writeInstances() {
     csv << r.id << ',' << r.parent << ',' << toString(r.object_class) << ',' << r.frames << ','
         << r.points << ',' << r.dynamic_points << ',' << r.size.x() << ',' << r.size.y() << ','
         << r.size.z() << ',' << (r.isDynamic() ? "dynamic" : "static") << ',' << r.static_votes
-        << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << '\n';
+        << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << ','
+        << toString(r.reason()) << '\n';
   }
   writeText(folder_.staging() / "instances.csv", csv.str());
   report_.setInstances(records.size(), removed);
@@ -101,13 +104,15 @@ void DriveWriter::drawMap() const {
 }
 
 void DriveWriter::salvage() noexcept {
-  for (PcdStream* points : {&static_points_, &dynamic_points_}) {
+  const auto attempt = [](const auto& finish) {
     try {
-      points->finish();
+      finish();
     } catch (const std::exception&) {  // the failure that led here has been told already
-      continue;
     }
-  }
+  };
+  attempt([this] { static_points_.finish(); });
+  attempt([this] { dynamic_points_.finish(); });
+  attempt([this] { evidence_.finish(); });
 }
 
 void DriveWriter::finish() {
@@ -115,6 +120,7 @@ void DriveWriter::finish() {
   static_points_.finish();
   dynamic_points_.finish();
   writeInstances();
+  evidence_.finish();
   writeText(folder_.staging() / "config.yaml", toYaml(config_));
   drawMap();
   report_.write(folder_.staging() / "report.json");

@@ -5,6 +5,11 @@
 
 namespace segdf {
 
+Reason InstanceRecord::reason() const {
+  const auto most = std::max_element(frames_by_reason.begin(), frames_by_reason.end());
+  return static_cast<Reason>(most - frames_by_reason.begin());
+}
+
 void InstanceTable::add(const FrameResult& frame) {
   for (const InstanceObservation& seen : frame.instances) {
     InstanceRecord& record = records_[seen.id];
@@ -17,6 +22,7 @@ void InstanceTable::add(const FrameResult& frame) {
     record.static_votes += seen.static_votes;
     record.dynamic_votes += seen.dynamic_votes;
     record.fused = record.fused || seen.fused;
+    ++record.frames_by_reason[static_cast<std::size_t>(seen.reason)];
     record.points_by_class[static_cast<std::size_t>(seen.object_class)] += seen.points;
     const auto most =
         std::max_element(record.points_by_class.begin(), record.points_by_class.end());

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "segdf/dynamics/evidence.hpp"
+
 namespace segdf {
 
 namespace {
@@ -22,12 +24,26 @@ std::vector<PointLabel> labelPoints(const KeyFrame& frame) {
     const PointState state = instance.dynamic ? PointState::kDynamic : PointState::kStatic;
     for (std::uint32_t i : segment.points) labels[i] = {instance.id, state, segment.object_class};
   }
+  for (std::uint32_t i : frame.removed) labels[i].state = PointState::kDynamic;
   return labels;
 }
 
-InstanceObservation observationOf(const Segment& segment,
-                                  const Instance& instance,
-                                  const Pose& pose) {
+/// What the other frames of the window said of a segment; none of one that was split off.
+std::vector<Look> looksAt(const KeyFrame& frame, std::size_t segment) {
+  std::vector<Look> looks;
+  if (!frame.evidence || segment >= frame.evidence->votes.size()) return looks;
+  for (const PairVote& vote : frame.evidence->votes[segment]) {
+    if (!vote.informative) continue;
+    looks.push_back(
+        {vote.scan, static_cast<double>(vote.seconds), vote.free, vote.free + vote.hit});
+  }
+  return looks;
+}
+
+InstanceObservation observationOf(const KeyFrame& frame, std::size_t s) {
+  const Segment& segment = frame.seg.segments[s];
+  const Instance& instance = frame.instances[s];
+  const Pose& pose = frame.scan.pose;
   InstanceObservation seen;
   seen.id = instance.id;
   seen.parent = instance.parent;
@@ -37,6 +53,9 @@ InstanceObservation observationOf(const Segment& segment,
   seen.points = static_cast<std::uint32_t>(segment.points.size());
   seen.static_votes = instance.static_votes;
   seen.dynamic_votes = instance.dynamic_votes;
+  seen.needed_votes = instance.needed_votes;
+  seen.reason = instance.reason;
+  seen.looks = looksAt(frame, s);
   seen.center = pose * segment.box.center.cast<double>();
   seen.size = segment.box.size.cast<double>();
   const auto yaw = static_cast<double>(segment.box.yaw);
@@ -51,8 +70,7 @@ FrameResult mappedResult(KeyFrame frame) {
   FrameResult result;
   result.labels = labelPoints(frame);
   for (std::size_t s = 0; s < frame.seg.segments.size(); ++s) {
-    result.instances.push_back(
-        observationOf(frame.seg.segments[s], frame.instances[s], frame.scan.pose));
+    result.instances.push_back(observationOf(frame, s));
   }
   std::sort(result.instances.begin(), result.instances.end(),
             [](const InstanceObservation& a, const InstanceObservation& b) { return a.id < b.id; });

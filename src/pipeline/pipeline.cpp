@@ -44,14 +44,14 @@ class Pipeline::Impl {
     } else {
       entries_.push_back({next_index_++, rejectedResult(std::move(scan), status), nullptr});
     }
-    return release(filter_->windowSize());
+    return release(false);
   }
 
   std::vector<FrameResult> flush() {
     const Window window = keyFrames();
     for (std::size_t i = 0; i < window.size(); ++i) filter_->decide(window, i);
     gate_ = ScanGate(config_.input);
-    return release(0);
+    return release(true);
   }
 
  private:
@@ -65,6 +65,7 @@ class Pipeline::Impl {
   /// Seg(P_k): segments, describes and classifies a scan, then lets the filter compare it.
   void addKeyFrame(Scan scan) {
     auto frame = std::make_unique<KeyFrame>();
+    frame->index = next_index_;
     frame->scan = std::move(scan);
     frame->seg = segmentScan(frame->scan, config_, threads_, frame->times);
     {
@@ -91,13 +92,13 @@ class Pipeline::Impl {
     return window;
   }
 
-  /// Hands out the oldest entries until at most `keep` key frames remain.
-  std::vector<FrameResult> release(std::size_t keep) {
+  /// Hands out the oldest entries up to the first key frame that may still learn something.
+  std::vector<FrameResult> release(bool all) {
     std::vector<FrameResult> results;
     for (Window window = keyFrames(); !entries_.empty(); window = keyFrames()) {
       Entry& oldest = entries_.front();
       if (oldest.key) {
-        if (window.size() <= keep) break;
+        if (!all && !filter_->isSettled(window)) break;
         filter_->decide(window, 0);
       }
       results.push_back(oldest.key ? mappedResult(std::move(*oldest.key))

@@ -34,8 +34,9 @@ TEST_F(Offline, WritesEverythingThatItsUsersAreTold) {
   EXPECT_TRUE(contains(outcome.out, "5 of 5 scans mapped"));
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(result())) names.insert(entry.path().filename());
-  EXPECT_EQ(names, (std::set<std::string>{"config.yaml", "dynamic_points.pcd", "instances.csv",
-                                          "labels", "map.png", "report.json", "static_map.pcd"}));
+  EXPECT_EQ(names, (std::set<std::string>{"config.yaml", "dynamic_points.pcd", "evidence.csv",
+                                          "instances.csv", "labels", "map.png", "report.json",
+                                          "static_map.pcd"}));
   EXPECT_EQ(test::readText(result() / "map.png").substr(1, 3), "PNG");
   EXPECT_TRUE(
       contains(test::readText(result() / "instances.csv"), "id,parent,class,frames,points"));

@@ -57,15 +57,28 @@ TEST(Pipeline, EveryScanComesOutOnceInOrderWithALabelForEveryPoint) {
   }
 }
 
-TEST(Pipeline, AFrameLeavesWhenTheWindowOfTwoIsFull) {
+TEST(Pipeline, InLiteralModeAFrameLeavesWhenTheWindowOfTwoIsFull) {
   const std::vector<Scan> drive = makeDrive(4);
-  Pipeline pipeline(Config{}, 1);
+  Config config;
+  config.df.mode = FilterMode::kLiteral;
+  Pipeline pipeline(config, 1);
   EXPECT_EQ(pipeline.process(drive[0]).size(), 0U);
   EXPECT_EQ(pipeline.process(drive[1]).size(), 0U);
   EXPECT_EQ(pipeline.process(drive[2]).size(), 1U);
   EXPECT_EQ(pipeline.process(drive[3]).size(), 1U);
   EXPECT_EQ(pipeline.flush().size(), 2U);
   EXPECT_TRUE(pipeline.flush().empty());
+}
+
+TEST(Pipeline, TheDelayIsNoLongerThanTheWindow) {
+  const std::vector<Scan> drive = makeDrive(6);
+  Config config;
+  config.df.window = 3;
+  Pipeline pipeline(config, 1);
+  for (std::size_t k = 0; k < drive.size(); ++k) {
+    EXPECT_EQ(pipeline.process(drive[k]).size(), k < 3 ? 0U : 1U);
+  }
+  EXPECT_EQ(pipeline.flush().size(), 3U);
 }
 
 TEST(Pipeline, RemovesTheCarThatDrivesAndKeepsTheOneThatIsParked) {

@@ -24,6 +24,29 @@ enum class FrameStatus : std::uint8_t {
 
 std::string toString(FrameStatus status);
 
+/// What decided on an instance in one frame (method.md 6.2, 6.5, 6.6).
+enum class Reason : std::uint8_t {
+  kNoEvidence,   ///< no other frame told anything: kept
+  kAssociation,  ///< literal mode: neighbours and occupancy
+  kVotes,        ///< enough, or not enough, frames saw through it
+  kLongLook,     ///< one clear vote where there are few (the ends of a drive)
+  kTrack,        ///< its track moves
+  kSplit,        ///< the moved part of a standing instance
+  kKept,         ///< the standing part of a moved instance
+};
+constexpr std::size_t kReasons = 7;
+
+/// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "split", "kept".
+std::string toString(Reason reason);
+
+/// What another key frame says of an instance.
+struct Look {
+  std::size_t scan = 0;    ///< running number of the other scan
+  double seconds = 0.0;    ///< to it, negative into the past
+  std::uint32_t free = 0;  ///< points seen through
+  std::uint32_t seen = 0;  ///< points seen through or found again
+};
+
 /// Instance as seen in one frame: what rviz shows and instances.csv adds up.
 struct InstanceObservation {
   std::uint32_t id = 0;      ///< global instance id, 1 and up
@@ -34,6 +57,9 @@ struct InstanceObservation {
   std::uint32_t points = 0;
   std::uint32_t static_votes = 0;                    ///< HS votes (Algorithm 2, lines 12 and 17)
   std::uint32_t dynamic_votes = 0;                   ///< HD votes (lines 10 and 14)
+  std::uint32_t needed_votes = 0;                    ///< HD votes that make it dynamic
+  Reason reason = Reason::kNoEvidence;
+  std::vector<Look> looks;                           ///< of the frames that saw enough of it
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< box centre in the map frame, metres
   Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< length >= width, height; metres
   double yaw = 0.0;                                  ///< of the length axis in the map frame, rad

@@ -19,8 +19,8 @@ class DynamicFilter {
   DynamicFilter(const DynamicFilter&) = delete;
   DynamicFilter& operator=(const DynamicFilter&) = delete;
 
-  /// Key frames that the window holds between scans, at least 1.
-  virtual std::size_t windowSize() const = 0;
+  /// True when no further key frame can tell more about the oldest of the window: it may leave.
+  virtual bool isSettled(const Window& window) const = 0;
 
   /// The newest key frame (back of the window) has been segmented and classified: gives its
   /// segments their instance ids and gathers evidence.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "segdf/core/frame_result.hpp"
@@ -19,14 +20,23 @@ struct Instance {
   bool fused = false;
   std::uint32_t static_votes = 0;   ///< HS
   std::uint32_t dynamic_votes = 0;  ///< HD
+  std::uint32_t needed_votes = 0;   ///< HD votes that make it dynamic
+  Reason reason = Reason::kNoEvidence;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< of its box's centre, map frame, m/s
 };
+
+struct FrameEvidence;
 
 /// A key frame in the sliding window.
 struct KeyFrame {
+  std::size_t index = 0;  ///< running number of the scan
   Scan scan;
   Segmentation seg;
   std::vector<Instance> instances;  ///< instance s belongs to seg.segments[s]
   bool judged = false;              ///< verdicts are final
+  /// Points of no instance that moved: ground points of moving objects, small clusters. Ascending.
+  std::vector<std::uint32_t> removed;
+  std::shared_ptr<FrameEvidence> evidence;  ///< the filter's own; empty in literal mode
   double pose_misfit = 0.0;         ///< metres, see FrameResult
   StageTimes times;
 };

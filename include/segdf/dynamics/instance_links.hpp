@@ -19,8 +19,10 @@ void fuseSegments(const KeyFrame& from,
                   std::vector<SegmentOverlap>& overlaps);
 
 /// Gives the instances of `to` their ids. Links of at least df.assoc are taken by falling number of
-/// common voxels, then smaller id, as long as both ends are free; segments that no link reaches get
-/// new ids.
+/// common voxels, then smaller id, as long as both ends are free. What is left is linked where a
+/// segment of like size lies nearest to where an instance went on to, at most 2.5 m off: things
+/// that are small or fast do not overlap with themselves. Segments that no link reaches get new
+/// ids.
 void passOnIds(const KeyFrame& from,
                KeyFrame& to,
                const std::vector<SegmentOverlap>& overlaps,

@@ -23,7 +23,7 @@ class LiteralFilter : public DynamicFilter {
  public:
   LiteralFilter(const Config& config, IdSource& ids, int threads);
 
-  std::size_t windowSize() const override { return 2; }
+  bool isSettled(const Window& window) const override { return window.size() > 2; }
   void observe(const Window& window) override;
   void decide(const Window& window, std::size_t position) override;
 

@@ -10,6 +10,7 @@
 
 #include "segdf/core/config.hpp"
 #include "segdf/core/frame_result.hpp"
+#include "segdf/io/evidence_log.hpp"
 #include "segdf/io/output_folder.hpp"
 #include "segdf/io/pcd_stream.hpp"
 #include "segdf/io/run_report.hpp"
@@ -19,7 +20,7 @@
 namespace segdf {
 
 /// Writes everything that a drive leaves behind: static_map.pcd, dynamic_points.pcd,
-/// labels/NNNNNN.label, instances.csv, config.yaml, report.json and map.png (layout.md 6). Maps go
+/// labels/NNNNNN.label, instances.csv, evidence.csv, config.yaml, report.json and map.png (layout.md 6). Maps go
 /// to disk frame by frame.
 class DriveWriter {
  public:
@@ -48,6 +49,7 @@ class DriveWriter {
   PcdStream dynamic_points_;
   std::unique_ptr<StaticMap> voxel_map_;  ///< only when map.voxel is set
   InstanceTable instances_;
+  EvidenceLog evidence_;
   RunReport report_;
   std::vector<Eigen::Vector2d> trajectory_;
 };

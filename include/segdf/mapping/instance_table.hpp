@@ -24,10 +24,13 @@ struct InstanceRecord {
   std::size_t static_votes = 0;
   std::size_t dynamic_votes = 0;
   bool fused = false;
+  std::array<std::size_t, kReasons> frames_by_reason{};  ///< indexed by Reason
   std::array<std::size_t, 5> points_by_class{};  ///< indexed by ObjectClass
 
   /// "dynamic" if at least half of its points were removed, else "static".
   bool isDynamic() const { return 2 * dynamic_points >= points; }
+  /// What decided in most of its frames.
+  Reason reason() const;
 };
 
 /// Adds up what the frames say of each instance: which item was removed, and why.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "segdf/core/config.hpp"
+#include "segdf/dynamics/frame.hpp"
+
+namespace segdf {
+
+/// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic when
+/// its track was proven to move: by at least two members of its size in the window, unless the
+/// instance itself was found again over and over, or by many members, in the past too, and
+/// df.semi_static says that what moved at any time goes (a car that stops at lights). Memory: tracks
+/// that have left the window are forgotten.
+class TrackBook {
+ public:
+  explicit TrackBook(const DynamicConfig& config) : config_(config) {}
+
+  /// Makes instances of the frame dynamic by their tracks. Verdicts by votes are made for all frames
+  /// of the window; those of frames still gathering evidence count as they are.
+  void propagate(const Window& window, std::size_t position);
+
+  /// Notes what was decided on the frame that leaves.
+  void note(const KeyFrame& frame);
+
+ private:
+  struct Track {
+    std::vector<Eigen::Vector3f> proofs;  ///< sizes of members that the votes made dynamic
+    std::size_t last_scan = 0;            ///< running number
+  };
+
+  std::size_t proofsFor(const std::vector<Eigen::Vector3f>& proofs,
+                        const Eigen::Vector3f& size) const;
+
+  DynamicConfig config_;
+  std::map<std::uint32_t, Track> past_;
+};
+
+}  // namespace segdf

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/evidence.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "segdf/classification/classifier.hpp"
+#include "segdf/core/parallel.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr std::size_t kLarge = 300;  // points
+constexpr double kSlack = 0.05;  // seconds; frames come with jitter
+
+void increment(std::uint8_t& counter) {
+  if (counter < std::numeric_limits<std::uint8_t>::max()) ++counter;
+}
+
+/// Voxels by segment, those of no segment last: [begin[s], begin[s + 1]) of the list.
+std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
+                                           std::vector<std::uint32_t>& begin) {
+  const std::size_t segments = frame.seg.segments.size();
+  const std::vector<std::int32_t>& clusters = frame.seg.clusters.of_voxel;
+  const auto group_of = [&](std::size_t v) {
+    return clusters[v] == Clusters::kNoise ? segments : static_cast<std::size_t>(clusters[v]);
+  };
+  begin.assign(segments + 2, 0);
+  for (std::size_t v = 0; v < clusters.size(); ++v) ++begin[group_of(v) + 1];
+  for (std::size_t g = 0; g <= segments; ++g) begin[g + 1] += begin[g];
+  std::vector<std::uint32_t> next = begin;
+  std::vector<std::uint32_t> order(clusters.size());
+  for (std::size_t v = 0; v < clusters.size(); ++v) {
+    order[next[group_of(v)]++] = static_cast<std::uint32_t>(v);
+  }
+  return order;
+}
+
+/// Adds one voxel: as one place, or as one for each of its points.
+void addVoxel(const KeyFrame& frame, std::uint32_t v, bool whole, FrameEvidence& evidence) {
+  const CurvedVoxels& voxels = frame.seg.voxels;
+  const auto place = [&](std::uint32_t point) {
+    evidence.places.push_back(frame.scan.points[point].position());
+    evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
+  };
+  if (whole) place(voxels.points[(voxels.begin[v] + voxels.begin[v + 1]) / 2]);
+  for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+    if (!whole) place(voxels.points[k]);
+    evidence.listed.push_back(voxels.points[k]);
+  }
+}
+
+void listPlaces(const KeyFrame& frame, FrameEvidence& evidence) {
+  std::vector<std::uint32_t> begin;
+  const std::vector<std::uint32_t> order = voxelsBySegment(frame, begin);
+  for (std::size_t group = 0; group + 1 < begin.size(); ++group) {
+    evidence.begin.push_back(static_cast<std::uint32_t>(evidence.places.size()));
+    const bool segment = group < frame.seg.segments.size();
+    const bool whole = segment && frame.seg.segments[group].points.size() > kLarge &&
+                       !isTested(frame.seg.segments[group].object_class);
+    for (std::uint32_t k = begin[group]; k < begin[group + 1]; ++k) {
+      addVoxel(frame, order[k], whole, evidence);
+    }
+  }
+  evidence.begin.push_back(static_cast<std::uint32_t>(evidence.places.size()));
+  evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
+  evidence.answers.resize(evidence.places.size());
+}
+
+}  // namespace
+
+FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config) {
+  const std::vector<Point>& points = frame.scan.points;
+  FrameEvidence evidence{frame.scan.stampSeconds(),
+                         0.0,
+                         VisibilityImage(points, frame.seg.roles, config),
+                         PlaneMap(points, frame.seg.roles),
+                         thinForRegistration(points, frame.seg.roles),
+                         {},
+                         {},
+                         {},
+                         {},
+                         {},
+                         std::vector<std::vector<PairVote>>(frame.seg.segments.size())};
+  listPlaces(frame, evidence);
+  return evidence;
+}
+
+std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame) {
+  const FrameEvidence& evidence = *frame.evidence;
+  std::vector<PlaceEvidence> by_point(frame.scan.points.size());
+  for (std::size_t k = 0; k < evidence.places.size(); ++k) {
+    for (std::uint32_t p = evidence.first[k]; p < evidence.first[k + 1]; ++p) {
+      by_point[evidence.listed[p]] = evidence.answers[k];
+    }
+  }
+  return by_point;
+}
+
+void gatherEvidence(KeyFrame& frame,
+                    const KeyFrame& other,
+                    const Pose& other_T_frame,
+                    const DynamicConfig& config,
+                    int threads) {
+  FrameEvidence& evidence = *frame.evidence;
+  const Eigen::Matrix3f rotation = other_T_frame.linear().cast<float>();
+  const Eigen::Vector3f translation = other_T_frame.translation().cast<float>();
+  const double seconds = other.evidence->time - evidence.time;
+  const bool late = std::abs(seconds) >= config.keep_delay - kSlack;
+  const auto look = [&](std::size_t group) {
+    PairVote vote;
+    vote.scan = other.index;
+    vote.seconds = static_cast<float>(seconds);
+    for (std::uint32_t k = evidence.begin[group]; k < evidence.begin[group + 1]; ++k) {
+      const Eigen::Vector3f place = rotation * evidence.places[k] + translation;
+      const VolumetricState state = other.evidence->image.stateOf(place);
+      const std::uint32_t points = evidence.first[k + 1] - evidence.first[k];
+      if (state == VolumetricState::kFree) {
+        increment(evidence.answers[k].free);
+        vote.free += points;
+      } else if (state == VolumetricState::kHit) {
+        if (late) increment(evidence.answers[k].hit);
+        vote.hit += points;
+      }
+    }
+    return vote;
+  };
+  parallelFor(evidence.begin.size() - 1, threads, [&](std::size_t group) {
+    PairVote vote = look(group);
+    if (group == evidence.votes.size() || vote.free + vote.hit == 0) return;
+    const auto points = static_cast<double>(frame.seg.segments[group].points.size());
+    const double least = std::max<double>(config.vis_min, config.vis_frac * points);
+    vote.informative = static_cast<double>(vote.free + vote.hit) >= least;
+    evidence.votes[group].push_back(vote);
+  });
+}
+
+}  // namespace segdf

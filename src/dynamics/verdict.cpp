@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace segdf {
+
+namespace {
+constexpr double kSlack = 0.05;   // seconds; frames come with jitter
+constexpr double kFoundAgain = 0.5;  // share of the points
+}  // namespace
+
+Verdict judgeVotes(const std::vector<PairVote>& votes, const DynamicConfig& config) {
+  Verdict verdict;
+  std::uint32_t far = 0;
+  double best_far = 0.0;
+  for (const PairVote& vote : votes) {
+    if (!vote.informative) continue;
+    const auto share = static_cast<double>(vote.freeShare());
+    ++verdict.pairs;
+    verdict.dynamic_votes += share >= config.f_dyn ? 1 : 0;
+    verdict.static_votes += share <= config.f_stat ? 1 : 0;
+    verdict.best = std::max(verdict.best, vote.freeShare());
+    if (std::abs(static_cast<double>(vote.seconds)) < config.keep_delay - kSlack) continue;
+    ++far;
+    best_far = std::max(best_far, share);
+  }
+  const auto least = static_cast<std::uint32_t>(config.votes);
+  verdict.needed =
+      std::max(least, static_cast<std::uint32_t>(std::ceil(config.vote_share * verdict.pairs)));
+  verdict.dynamic = verdict.dynamic_votes >= verdict.needed;
+  if (verdict.pairs > 0) verdict.reason = Reason::kVotes;
+  if (!verdict.dynamic && far < least && best_far >= config.f_single) {
+    verdict.needed = 1;
+    verdict.dynamic = true;
+    verdict.reason = Reason::kLongLook;
+  }
+  return verdict;
+}
+
+bool isParked(const std::vector<PairVote>& votes, std::size_t points, const DynamicConfig& config) {
+  const auto found = std::count_if(votes.begin(), votes.end(), [&](const PairVote& vote) {
+    return std::abs(static_cast<double>(vote.seconds)) >= kParkedSeconds &&
+           static_cast<double>(vote.freeShare()) <= config.f_stat &&
+           static_cast<double>(vote.hit) >= kFoundAgain * static_cast<double>(points);
+  });
+  return found >= config.keep_hits;
+}
+
+}  // namespace segdf

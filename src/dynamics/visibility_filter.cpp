@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/visibility_filter.hpp"
+
+#include <memory>
+
+#include "segdf/classification/classifier.hpp"
+#include "segdf/core/parallel.hpp"
+#include "segdf/dynamics/association.hpp"
+#include "segdf/dynamics/baselines.hpp"
+#include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/instance_links.hpp"
+#include "segdf/dynamics/pose_refinement.hpp"
+#include "segdf/dynamics/reattachment.hpp"
+#include "segdf/dynamics/split_keep.hpp"
+#include "segdf/dynamics/verdict.hpp"
+
+namespace segdf {
+
+VisibilityFilter::VisibilityFilter(const Config& config, IdSource& ids, int threads)
+    : config_(config), grid_(config.cvi, config.input.min_range), ids_(ids), tracks_(config.df), threads_(threads) {}
+
+bool VisibilityFilter::isSettled(const Window& window) const {
+  return isOutOfReach(window, config_.df);
+}
+
+void VisibilityFilter::observe(const Window& window) {
+  nameInstances(window);
+  KeyFrame& newest = *window.back();
+  newest.evidence = std::make_shared<FrameEvidence>(prepareEvidence(newest, config_.df));
+  if (window.size() < 2) return;
+  const KeyFrame& previous = *window[window.size() - 2];
+  newest.evidence->way =
+      previous.evidence->way +
+      (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
+  compare(window);
+}
+
+void VisibilityFilter::nameInstances(const Window& window) {
+  KeyFrame& newest = *window.back();
+  newest.instances.assign(newest.seg.segments.size(), Instance{});
+  if (window.size() < 2) {
+    for (Instance& instance : newest.instances) instance.id = ids_.next();
+    return;
+  }
+  const KeyFrame& previous = *window[window.size() - 2];
+  std::vector<SegmentOverlap> overlaps = overlapSegments(previous, newest, grid_, threads_);
+  fuseSegments(previous, newest, config_, overlaps);
+  passOnIds(previous, newest, overlaps, config_.df, ids_);
+}
+
+void VisibilityFilter::compare(const Window& window) {
+  KeyFrame& newest = *window.back();
+  const std::vector<std::size_t> baselines = selectBaselines(window, config_.df);
+  std::vector<PairPose> poses(baselines.size());
+  parallelFor(baselines.size(), threads_, [&](std::size_t k) {
+    const KeyFrame& older = *window[baselines[k]];
+    poses[k] = refinePair(older.scan.pose.inverse() * newest.scan.pose,
+                          newest.evidence->registration_points, older.evidence->planes);
+  });
+  for (std::size_t k = 0; k < baselines.size(); ++k) {
+    if (poses[k].quality < config_.df.min_quality) continue;
+    KeyFrame& older = *window[baselines[k]];
+    gatherEvidence(newest, older, poses[k].to_T_from, config_.df, threads_);
+    gatherEvidence(older, newest, poses[k].to_T_from.inverse(), config_.df, threads_);
+  }
+}
+
+void VisibilityFilter::decide(const Window& window, std::size_t position) {
+  KeyFrame& frame = *window[position];
+  if (frame.judged) return;
+  judge(frame);
+  tracks_.propagate(window, position);
+  tracks_.note(frame);
+  splitMoved(frame, config_, grid_, ids_);
+  keepStanding(frame, config_, grid_, ids_);
+  removeLoosePoints(frame, config_.df);
+  settleGround(frame, config_.df);
+  frame.judged = true;
+}
+
+void VisibilityFilter::judge(KeyFrame& frame) const {
+  for (std::size_t s = 0; s < frame.instances.size(); ++s) {
+    const Verdict verdict = judgeVotes(frame.evidence->votes[s], config_.df);
+    Instance& instance = frame.instances[s];
+    instance.dynamic = verdict.dynamic;
+    if (config_.df.semi_static == SemiStatic::kKeepWhileParked &&
+        isParked(frame.evidence->votes[s], frame.seg.segments[s].points.size(), config_.df)) {
+      instance.dynamic = false;
+    }
+    instance.dynamic_votes = verdict.dynamic_votes;
+    instance.static_votes = verdict.static_votes;
+    instance.needed_votes = verdict.needed;
+    instance.reason = verdict.reason;
+  }
+}
+
+}  // namespace segdf

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+namespace segdf {
+namespace {
+
+/// A vote with `free` of 100 points seen through, from a frame `seconds` away.
+PairVote vote(std::uint32_t free, float seconds) { return {0, seconds, free, 100 - free, true}; }
+
+TEST(Verdict, NoVotesAreStatic) {
+  const Verdict verdict = judgeVotes({}, DynamicConfig{});
+  EXPECT_FALSE(verdict.dynamic);
+  EXPECT_EQ(verdict.pairs, 0U);
+}
+
+TEST(Verdict, ThreeVotesRemoveWhatIsSeenByFifteen) {
+  std::vector<PairVote> votes(12, vote(0, 1.0F));
+  votes.insert(votes.end(), {vote(30, 1.0F), vote(90, 2.0F)});
+  EXPECT_FALSE(judgeVotes(votes, DynamicConfig{}).dynamic) << "two votes";
+  votes.push_back(vote(40, 3.0F));
+  const Verdict verdict = judgeVotes(votes, DynamicConfig{});
+  EXPECT_TRUE(verdict.dynamic);
+  EXPECT_EQ(verdict.dynamic_votes, 3U);
+  EXPECT_EQ(verdict.static_votes, 12U);
+  EXPECT_EQ(verdict.needed, 3U);
+  EXPECT_FLOAT_EQ(verdict.best, 0.9F);
+}
+
+TEST(Verdict, TheShareCountsWhereManyPairsSpeak) {
+  std::vector<PairVote> votes(17, vote(0, 1.0F));
+  votes.insert(votes.end(), 3, vote(90, 1.0F));
+  EXPECT_FALSE(judgeVotes(votes, DynamicConfig{}).dynamic) << "3 of 20, 4 are needed";
+  votes.push_back(vote(90, 1.0F));
+  EXPECT_FALSE(judgeVotes(votes, DynamicConfig{}).dynamic) << "4 of 21, 5 are needed";
+  votes.push_back(vote(90, 1.0F));
+  EXPECT_TRUE(judgeVotes(votes, DynamicConfig{}).dynamic);
+}
+
+TEST(Verdict, PairsThatSayNothingDoNotCount) {
+  PairVote little = vote(90, 1.0F);
+  little.informative = false;
+  EXPECT_FALSE(judgeVotes({little, little, little, little}, DynamicConfig{}).dynamic);
+}
+
+TEST(Verdict, AtTheEndOfADriveOneClearLongLookIsEnough) {
+  // A slow walker: neighbours hit it, and only one frame is far enough to see through.
+  const std::vector<PairVote> votes{vote(0, -0.1F), vote(0, 0.1F), vote(0, 0.2F), vote(85, 0.5F)};
+  EXPECT_TRUE(judgeVotes(votes, DynamicConfig{}).dynamic);
+  const std::vector<PairVote> doubtful{vote(0, -0.1F), vote(0, 0.1F), vote(0, 0.2F),
+                                       vote(60, 0.5F)};
+  EXPECT_FALSE(judgeVotes(doubtful, DynamicConfig{}).dynamic);
+  const std::vector<PairVote> outvoted{vote(0, -1.0F), vote(0, 1.0F), vote(85, 0.5F)};
+  EXPECT_FALSE(judgeVotes(outvoted, DynamicConfig{}).dynamic) << "three long looks decide by votes";
+}
+
+TEST(Parked, FoundAgainForTheMostPartByThreeDistantFrames) {
+  const std::vector<PairVote> found(3, vote(0, 2.0F));
+  EXPECT_TRUE(isParked(found, 150, DynamicConfig{}));
+  EXPECT_FALSE(isParked(found, 300, DynamicConfig{})) << "a third of it only";
+  EXPECT_FALSE(isParked({vote(0, 0.2F), vote(0, 0.2F), vote(0, 2.0F)}, 100, DynamicConfig{}))
+      << "what moves slowly is found again by neighbours";
+}
+
+}  // namespace
+}  // namespace segdf
