@@ -77,7 +77,7 @@ std::size_t splitSegment(KeyFrame& frame,
   part.points = points;
   part.object_class = frame.seg.segments[segment].object_class;
   part.bounds = boundsOf(frame.scan, points);
-  describe(frame, part);
+  part.box = fitBox(frame.scan.points, points);
 
   Segment& rest = frame.seg.segments[segment];
   std::vector<std::uint32_t> kept;
@@ -85,7 +85,7 @@ std::size_t splitSegment(KeyFrame& frame,
                       std::back_inserter(kept));
   rest.points = std::move(kept);
   rest.bounds = boundsOf(frame.scan, rest.points);
-  describe(frame, rest);
+  rest.box = fitBox(frame.scan.points, rest.points);
 
   frame.seg.segments.push_back(std::move(part));
   frame.instances.emplace_back();

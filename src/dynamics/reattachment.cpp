@@ -84,6 +84,18 @@ void releaseGround(KeyFrame& frame, Segment& segment, const Standing& standing) 
   segment.points = std::move(object);
 }
 
+/// Marks the points that are ground or in no instance.
+std::vector<std::uint8_t> groundAndLoosePoints(const KeyFrame& frame) {
+  std::vector<std::uint8_t> marks(frame.scan.points.size());
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    marks[i] = frame.seg.roles[i] != PointRole::kUnused ? 1 : 0;
+  }
+  for (const Segment& segment : frame.seg.segments) {
+    for (std::uint32_t i : segment.points) marks[i] = 0;
+  }
+  return marks;
+}
+
 }  // namespace
 
 void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
@@ -92,18 +104,21 @@ void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
   const auto least = static_cast<std::uint8_t>(config.loose_votes);
   for (std::uint32_t k = evidence.begin[loose]; k < evidence.begin[loose + 1]; ++k) {
     const PlaceEvidence& e = evidence.answers[k];
-    if (e.free < least || e.free < kFreeRatio * e.hit) continue;
-    frame.removed.push_back(evidence.listed[evidence.first[k]]);
+    const std::uint32_t i = evidence.listed[evidence.first[k]];
+    // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
+    if (frame.seg.height[i] < static_cast<float>(config.foot_height)) continue;
+    if (e.free >= least && e.free >= kFreeRatio * e.hit) frame.removed.push_back(i);
   }
 }
 
 void settleGround(KeyFrame& frame, const DynamicConfig& config) {
+  const std::vector<std::uint8_t> may_be_foot = groundAndLoosePoints(frame);
   std::vector<std::uint8_t> is_foot(frame.scan.points.size(), 0);
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     if (!frame.instances[s].dynamic) continue;
     const Standing standing(frame, frame.seg.segments[s], config);
     for (std::uint32_t i = 0; i < is_foot.size(); ++i) {
-      if (frame.seg.roles[i] == PointRole::kGround && standing.isFoot(i)) is_foot[i] = 1;
+      if (may_be_foot[i] != 0 && standing.isFoot(i)) is_foot[i] = 1;
     }
     releaseGround(frame, frame.seg.segments[s], standing);
   }
@@ -111,6 +126,8 @@ void settleGround(KeyFrame& frame, const DynamicConfig& config) {
     if (is_foot[i] != 0) frame.removed.push_back(i);
   }
   std::sort(frame.removed.begin(), frame.removed.end());
+  frame.removed.erase(std::unique(frame.removed.begin(), frame.removed.end()),
+                      frame.removed.end());
 }
 
 }  // namespace segdf

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/verdict.hpp"
@@ -17,13 +18,16 @@ constexpr std::size_t kKeptProofs = 32;   // more of the past tell nothing new
 constexpr float kSizeRatio = 1.3F;
 constexpr float kSizeSlack = 0.3F;  // metres
 
-bool isSimilar(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  const Eigen::Array3f larger = a.array().max(b.array());
-  const Eigen::Array3f smaller = a.array().min(b.array());
-  return (larger <= kSizeRatio * smaller + kSizeSlack).all();
+/// May the smaller be a part of the larger? From afar and from behind others a part is seen.
+bool isPartOf(const Eigen::Vector3f& part, const Eigen::Vector3f& whole) {
+  return (part.array() <= kSizeRatio * whole.array() + kSizeSlack).all();
 }
 
-using Sizes = std::map<std::uint32_t, std::vector<Eigen::Vector3f>>;  // by id
+bool isSimilar(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+  return isPartOf(a, b) && isPartOf(b, a);
+}
+
+using Sizes = TrackBook::Sizes;
 
 /// Sizes of the instances in the window that the votes make dynamic so far.
 Sizes proofsIn(const Window& window, const DynamicConfig& config) {
@@ -37,14 +41,16 @@ Sizes proofsIn(const Window& window, const DynamicConfig& config) {
   return proofs;
 }
 
-}  // namespace
-
-std::size_t TrackBook::proofsFor(const std::vector<Eigen::Vector3f>& proofs,
-                                 const Eigen::Vector3f& size) const {
+/// Proofs that a condition holds for.
+template <class Condition>
+std::size_t countProofs(const Sizes& proofs, std::uint32_t id, const Condition& condition) {
+  const auto track = proofs.find(id);
+  if (track == proofs.end()) return 0;
   return static_cast<std::size_t>(
-      std::count_if(proofs.begin(), proofs.end(),
-                    [&size](const Eigen::Vector3f& proof) { return isSimilar(proof, size); }));
+      std::count_if(track->second.begin(), track->second.end(), condition));
 }
+
+}  // namespace
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
@@ -53,34 +59,34 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
     Instance& instance = frame.instances[s];
     if (instance.dynamic) continue;
     const Segment& segment = frame.seg.segments[s];
-    const auto now = present.find(instance.id);
-    const auto before = past_.find(instance.id);
-    std::size_t proofs = now == present.end() ? 0 : proofsFor(now->second, segment.box.size);
-    const bool parked = isParked(frame.evidence->votes[s], segment.points.size(), config_);
-    if (parked && before != past_.end()) {
-      proofs += proofsFor(before->second.proofs, segment.box.size);
+    const Eigen::Vector3f& size = segment.box.size;
+    bool moves = false;
+    if (!isParked(frame.evidence->votes[s], segment.points.size(), config_)) {
+      moves = countProofs(present, instance.id, [&size](const Eigen::Vector3f& proof) {
+                return isSimilar(proof, size);
+              }) >= kProofs;
+    } else if (config_.semi_static == SemiStatic::kRemove) {
+      const auto part = [&size](const Eigen::Vector3f& proof) { return isPartOf(proof, size); };
+      moves = countProofs(present, instance.id, part) + countProofs(past_, instance.id, part) >=
+              kStrongProofs;
     }
-    const bool overruled = config_.semi_static == SemiStatic::kRemove && proofs >= kStrongProofs;
-    if (proofs < kProofs || (parked && !overruled)) continue;
+    if (!moves) continue;
     instance.dynamic = true;
     instance.reason = Reason::kTrack;
   }
 }
 
 void TrackBook::note(const KeyFrame& frame) {
+  std::set<std::uint32_t> seen;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     const Instance& instance = frame.instances[s];
-    const bool proof = instance.dynamic && instance.reason == Reason::kVotes;
-    const auto found = past_.find(instance.id);
-    if (!proof && found == past_.end()) continue;
-    Track& track = found == past_.end() ? past_[instance.id] : found->second;
-    track.last_scan = frame.index;
-    if (proof && track.proofs.size() < kKeptProofs) {
-      track.proofs.push_back(frame.seg.segments[s].box.size);
-    }
+    seen.insert(instance.id);
+    if (!instance.dynamic || instance.reason != Reason::kVotes) continue;
+    std::vector<Eigen::Vector3f>& proofs = past_[instance.id];
+    if (proofs.size() < kKeptProofs) proofs.push_back(frame.seg.segments[s].box.size);
   }
   for (auto track = past_.begin(); track != past_.end();) {
-    track = track->second.last_scan == frame.index ? std::next(track) : past_.erase(track);
+    track = seen.count(track->first) != 0 ? std::next(track) : past_.erase(track);
   }
 }
 

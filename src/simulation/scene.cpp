@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace segdf {
 
@@ -23,8 +24,26 @@ WayPoint interpolate(const std::vector<WayPoint>& path, double time) {
 WayPoint SceneObject::at(double time) const { return interpolate(path, time); }
 
 std::uint32_t SceneObject::label() const {
-  const std::uint32_t semantic_class = moves() ? moving_class : standing_class;
+  const std::uint32_t semantic_class = moves() && moves_in_sight ? moving_class : standing_class;
   return (static_cast<std::uint32_t>(instance) << 16U) | semantic_class;
+}
+
+void settleSight(Scene& scene, double duration, double step) {
+  constexpr double kSight = 60.0;     // metres
+  constexpr double kMovement = 0.5;  // metres
+  for (SceneObject& object : scene.objects) {
+    if (!object.moves()) continue;
+    std::optional<WayPoint> first;  // in sight
+    object.moves_in_sight = false;
+    for (double time = 0.0; time <= duration; time += step) {
+      const WayPoint place = object.at(time);
+      const WayPoint ego = interpolate(scene.ego, time);
+      if (std::hypot(place.x - ego.x, place.y - ego.y) > kSight) continue;
+      if (!first) first = place;
+      const double gone = std::hypot(place.x - first->x, place.y - first->y);
+      object.moves_in_sight = object.moves_in_sight || gone >= kMovement;
+    }
+  }
 }
 
 Pose Scene::poseAt(const WayPoint& place, double length, double width, bool upright) const {

@@ -42,6 +42,11 @@ SensorModel sensorFor(const SimulationConfig& config, const SceneDescription& de
   return sensor;
 }
 
+Scene inSight(Scene scene, double duration, double step) {
+  settleSight(scene, duration, step);
+  return scene;
+}
+
 }  // namespace
 
 Simulator::Simulator(const SimulationConfig& config) : Simulator(config, describe(config)) {}
@@ -64,9 +69,9 @@ Simulator::Simulator(const SimulationConfig& config,
     : config_(config),
       description_(description),
       sensor_(sensorFor(config, description)),
-      scene_(scene),
+      scene_(inSight(scene, static_cast<double>(scans) / config.rate, 1.0 / config.rate)),
       scans_(scans),
-      world_(scene) {
+      world_(scene_) {
   prepare();
 }
 

@@ -18,6 +18,9 @@ namespace segdf {
 /// that have left the window are forgotten.
 class TrackBook {
  public:
+  /// Sizes of instances that the votes made dynamic, metres, by id.
+  using Sizes = std::map<std::uint32_t, std::vector<Eigen::Vector3f>>;
+
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
 
   /// Makes instances of the frame dynamic by their tracks. Verdicts by votes are made for all frames
@@ -28,16 +31,8 @@ class TrackBook {
   void note(const KeyFrame& frame);
 
  private:
-  struct Track {
-    std::vector<Eigen::Vector3f> proofs;  ///< sizes of members that the votes made dynamic
-    std::size_t last_scan = 0;            ///< running number
-  };
-
-  std::size_t proofsFor(const std::vector<Eigen::Vector3f>& proofs,
-                        const Eigen::Vector3f& size) const;
-
   DynamicConfig config_;
-  std::map<std::uint32_t, Track> past_;
+  Sizes past_;  ///< of tracks that the last frame had
 };
 
 }  // namespace segdf

@@ -53,11 +53,12 @@ struct SceneObject {
   std::vector<Limb> limbs;
   std::vector<WayPoint> path;        ///< one way point: it stands
   std::uint16_t standing_class = 0;  ///< SemanticKITTI class when it never moves
-  std::uint16_t moving_class = 0;    ///< SemanticKITTI class when it moves at any time
+  std::uint16_t moving_class = 0;    ///< SemanticKITTI class when it moves in sight
   std::uint16_t instance = 0;        ///< 0 = none
   double length = 1.0;               ///< of its footprint along x, metres
   double width = 1.0;                ///< of its footprint along y, metres
   bool upright = false;              ///< does not lean with the ground
+  bool moves_in_sight = true;        ///< what moves only where nobody sees it counts as standing
 
   bool moves() const { return path.size() > 1; }
   WayPoint at(double time) const;
@@ -76,6 +77,11 @@ struct Scene {
   Pose poseAt(const WayPoint& place, double length, double width, bool upright) const;
   Pose poseOf(const SceneObject& object, double time) const;
 };
+
+/// Settles moves_in_sight of all objects for a drive: SemanticKITTI labels an object moving when it
+/// moves in some scan, so it has to go half a metre or more while it is within 60 m of the ego.
+/// @param duration, step seconds; times looked at are 0, step, ... up to the duration
+void settleSight(Scene& scene, double duration, double step);
 
 /// Place on a path at a time: straight from way point to way point, standing before the first and
 /// after the last.
