@@ -17,13 +17,13 @@ struct Options {
 };
 
 std::string sentence(const segdf::EvidenceRow& row) {
-  const std::string votes = std::to_string(row.dynamic_votes) + " of " +
-                            std::to_string(row.looks) + " looks saw through it, " +
-                            std::to_string(row.needed_votes) + " needed; " +
-                            std::to_string(row.static_votes) + " found it again";
+  const std::string votes = std::to_string(row.dynamic_votes) + " of " + std::to_string(row.looks) +
+                            " looks saw through it, " + std::to_string(row.needed_votes) +
+                            " needed; " + std::to_string(row.static_votes) + " found it again";
   if (row.reason == "no_evidence") return "no other scan saw enough of it: kept";
   if (row.reason == "association") return "literal mode, by neighbours and occupancy";
-  if (row.reason == "long_look") return "one clear look from afar in time, few to compare; " + votes;
+  if (row.reason == "long_look")
+    return "one clear look from afar in time, few to compare; " + votes;
   if (row.reason == "track") return "goes with its track, which moves; " + votes;
   if (row.reason == "split") return "split off " + std::to_string(row.parent) + ": this part moved";
   if (row.reason == "kept") return "split off " + std::to_string(row.parent) + ": this part stood";
@@ -31,16 +31,16 @@ std::string sentence(const segdf::EvidenceRow& row) {
 }
 
 void explain(const Options& options) {
-  const auto rows = segdf::readEvidence(std::filesystem::path(options.result) / "evidence.csv",
-                                        options.instance);
+  const auto rows =
+      segdf::readEvidence(std::filesystem::path(options.result) / "evidence.csv", options.instance);
   if (rows.empty()) {
     throw segdf::IoError("no instance " + std::to_string(options.instance) + " in " +
                          options.result + "; instances.csv lists them");
   }
   for (const segdf::EvidenceRow& row : rows) {
     std::cout << "scan " << row.scan << ": instance " << row.instance << ' ' << row.verdict << ", "
-              << row.object_class << ", " << row.points << " points at (" << row.center << ") m: "
-              << sentence(row) << '\n';
+              << row.object_class << ", " << row.points << " points at (" << row.center
+              << ") m: " << sentence(row) << '\n';
     if (!row.free_looks.empty()) {
       std::cout << "  seen through (scan:seconds:points): " << row.free_looks << '\n';
     }

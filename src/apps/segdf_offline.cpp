@@ -23,7 +23,8 @@ void addOptions(CLI::App& app, OfflineOptions& options) {
   app.add_option("--sensor", options.sensor,
                  "hdl64, hdl32, vlp16 or os1_64; recognised if not given");
   app.add_option("--config", options.config, "YAML with parameters that differ from the sensor's");
-  app.add_option("--mode", options.mode, "dynamic filter: segdf (default) or literal, the algorithm as printed");
+  app.add_option("--mode", options.mode,
+                 "dynamic filter: segdf (default) or literal, the algorithm as printed");
   app.add_option("--threads", options.threads, "worker threads (default 1); same results with any")
       ->check(CLI::Range(1, 256));
   app.add_option("--frames", options.frames,

@@ -28,8 +28,8 @@ std::vector<std::size_t> selectBaselines(const Window& window, const DynamicConf
   const FrameEvidence& newest = *window.back()->evidence;
   std::vector<std::size_t> selected;
   for (double seconds : config.times) {
-    selected.push_back(youngest(window, seconds,
-                                [&](const FrameEvidence& e) { return newest.time - e.time; }));
+    selected.push_back(
+        youngest(window, seconds, [&](const FrameEvidence& e) { return newest.time - e.time; }));
   }
   for (double metres : config.ways) {
     selected.push_back(

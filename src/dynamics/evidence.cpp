@@ -12,7 +12,7 @@ namespace segdf {
 namespace {
 
 constexpr std::size_t kLarge = 300;  // points
-constexpr double kSlack = 0.05;  // seconds; frames come with jitter
+constexpr double kSlack = 0.05;      // seconds; frames come with jitter
 
 void increment(std::uint8_t& counter) {
   if (counter < std::numeric_limits<std::uint8_t>::max()) ++counter;

@@ -15,11 +15,11 @@ namespace segdf {
 
 namespace {
 
-constexpr double kMotionGate = 2.5;      // metres from where an instance is expected
-constexpr float kSizeRatio = 1.3F;       // of two views of one object
-constexpr float kSizeSlack = 0.3F;       // metres
-constexpr float kLongestMover = 19.0F;   // metres: an articulated bus
-constexpr float kHighestMover = 4.5F;    // metres
+constexpr double kMotionGate = 2.5;     // metres from where an instance is expected
+constexpr float kSizeRatio = 1.3F;      // of two views of one object
+constexpr float kSizeSlack = 0.3F;      // metres
+constexpr float kLongestMover = 19.0F;  // metres: an articulated bus
+constexpr float kHighestMover = 4.5F;   // metres
 
 /// Segments of `to` that instance `s` of `from` makes one; fewer than two when it fuses nothing.
 std::vector<std::uint32_t> fusionOf(const KeyFrame& from,

@@ -9,15 +9,18 @@ namespace segdf {
 
 namespace {
 
-constexpr float kReach = 4.0F;           // metres around the area
-constexpr std::size_t kMinPoints = 20;   // for a plane
+constexpr float kReach = 4.0F;            // metres around the area
+constexpr std::size_t kMinPoints = 20;    // for a plane
 constexpr std::size_t kMaxPoints = 2000;  // more tell nothing new
 constexpr int kSteps = 8;
 // Square metres that hold the plane level where the ground is seen on one side only.
-constexpr double kFlatness = 0.3;
+constexpr double kFlatness = 2.0;
 // Metres, of the kernel: what is above the plane may be a wheel, what is below is ground.
 constexpr double kScaleAbove = 0.03;
 constexpr double kScaleBelow = 0.10;
+// Metres from the area at which ground counts a quarter: who stands on the sidewalk does not stand
+// on the road beside it.
+constexpr double kNear = 2.0;
 
 }  // namespace
 
@@ -31,29 +34,31 @@ LocalGround::LocalGround(const KeyFrame& frame, const Eigen::AlignedBox2f& area)
     const Eigen::Vector3f x = frame.scan.points[i].position();
     if (around.contains(x.head<2>())) ground.push_back(x);
   }
-  if (ground.size() >= kMinPoints) fit(ground);
+  if (ground.size() >= kMinPoints) fit(ground, area);
 }
 
-void LocalGround::fit(const std::vector<Eigen::Vector3f>& ground) {
+void LocalGround::fit(const std::vector<Eigen::Vector3f>& ground, const Eigen::AlignedBox2f& area) {
   for (const Eigen::Vector3f& x : ground) center_ += x.head<2>();
   center_ /= static_cast<float>(ground.size());
   const std::size_t stride = ground.size() / kMaxPoints + 1;
-  const double hold = kFlatness * static_cast<double>(ground.size() / stride);
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
   for (int step = 0; step < kSteps; ++step) {
-    Eigen::Matrix3d normal = Eigen::Vector3d(hold, hold, 0.0).asDiagonal();
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < ground.size(); k += stride) {
-      const Eigen::Vector3d row = (Eigen::Vector3f() << ground[k].head<2>() - center_, 1.0F)
-                                      .finished()
-                                      .cast<double>();
+      const Eigen::Vector3d row =
+          (Eigen::Vector3f() << ground[k].head<2>() - center_, 1.0F).finished().cast<double>();
       const auto z = static_cast<double>(ground[k].z());
       const double off = step == 0 ? 0.0 : z - row.dot(plane);
       const double scaled = off / (off > 0.0 ? kScaleAbove : kScaleBelow);
       const double root = 1.0 / (1.0 + scaled * scaled);
-      normal += root * root * row * row.transpose();
-      right += root * root * z * row;
+      const auto away = static_cast<double>(area.exteriorDistance(ground[k].head<2>().eval()));
+      const double near = 1.0 / (1.0 + away * away / (kNear * kNear));
+      const double weight = root * root * near * near;
+      normal += weight * row * row.transpose();
+      right += weight * z * row;
     }
+    normal.diagonal().head<2>().array() += kFlatness * normal(2, 2);  // (2, 2): the sum of weights
     plane = normal.ldlt().solve(right);
   }
   plane_ = plane.cast<float>();

@@ -16,7 +16,7 @@ constexpr int kMaxSteps = 20;
 constexpr double kFirstScale = 0.5;  // metres, of the robust kernel
 constexpr double kLastScale = 0.08;
 constexpr std::size_t kCoarseStride = 4;
-constexpr double kScaleRatio = 0.7;  // from step to step
+constexpr double kScaleRatio = 0.7;        // from step to step
 constexpr double kDoneTranslation = 1e-3;  // metres
 constexpr double kDoneRotation = 1e-4;     // rad
 constexpr double kMaxTranslation = 1.5;
@@ -118,7 +118,8 @@ PairPose refinePair(const Pose& to_T_from,
   for (int k = 0; k < kMaxSteps; ++k) {
     const Vector6 change = step(pose, source, target, scale);
     pose = moved(pose, change);
-    const bool still = change.head<3>().norm() < kDoneRotation && change.tail<3>().norm() < kDoneTranslation;
+    const bool still =
+        change.head<3>().norm() < kDoneRotation && change.tail<3>().norm() < kDoneTranslation;
     if (still && scale <= kLastScale) break;
     scale = std::max(kLastScale, scale * kScaleRatio);
   }

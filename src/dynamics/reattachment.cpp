@@ -56,9 +56,7 @@ class Standing {
     return height < bottom_ || (height < top_ && !isUnder(i));
   }
   /// True for a point of the object that was taken for ground.
-  bool isFoot(std::uint32_t i) const {
-    return ground_.heightOf(i) >= bottom_ && isUnder(i);
-  }
+  bool isFoot(std::uint32_t i) const { return ground_.heightOf(i) >= bottom_ && isUnder(i); }
 
  private:
   bool isUnder(std::uint32_t i) const {
@@ -126,8 +124,7 @@ void settleGround(KeyFrame& frame, const DynamicConfig& config) {
     if (is_foot[i] != 0) frame.removed.push_back(i);
   }
   std::sort(frame.removed.begin(), frame.removed.end());
-  frame.removed.erase(std::unique(frame.removed.begin(), frame.removed.end()),
-                      frame.removed.end());
+  frame.removed.erase(std::unique(frame.removed.begin(), frame.removed.end()), frame.removed.end());
 }
 
 }  // namespace segdf

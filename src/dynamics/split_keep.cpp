@@ -17,10 +17,10 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr std::uint8_t kFreePairs = 2;   // that make a point moved
-constexpr std::uint8_t kFreeRatio = 2;   // more often seen through than found again
-constexpr float kMovedMargin = 0.2F;     // metres around what moved
-constexpr double kBeside = 0.8;          // share of a part outside of it
+constexpr std::uint8_t kFreePairs = 2;  // that make a point moved
+constexpr std::uint8_t kFreeRatio = 2;  // more often seen through than found again
+constexpr float kMovedMargin = 0.2F;    // metres around what moved
+constexpr double kBeside = 0.8;         // share of a part outside of it
 
 bool hasMoved(const PlaceEvidence& e) {
   return e.free >= kFreePairs && e.free >= kFreeRatio * e.hit;
@@ -130,8 +130,9 @@ void keepStanding(KeyFrame& frame, const Config& config, const CurvedGrid& grid,
   const std::size_t count = frame.instances.size();
   for (std::size_t s = 0; s < count; ++s) {
     if (!frame.instances[s].dynamic) continue;
-    const Indices standing = pointsWhere(
-        frame.seg.segments[s], by_point, [hits](const PlaceEvidence& e) { return e.free == 0 && e.hit >= hits; });
+    const Indices standing =
+        pointsWhere(frame.seg.segments[s], by_point,
+                    [hits](const PlaceEvidence& e) { return e.free == 0 && e.hit >= hits; });
     if (standing.size() < static_cast<std::size_t>(config.df.keep_min)) continue;
     const Indices moved = pointsWhere(frame.seg.segments[s], by_point, hasMoved);
     if (moved.empty()) continue;

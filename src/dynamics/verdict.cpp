@@ -7,7 +7,7 @@
 namespace segdf {
 
 namespace {
-constexpr double kSlack = 0.05;   // seconds; frames come with jitter
+constexpr double kSlack = 0.05;      // seconds; frames come with jitter
 constexpr double kFoundAgain = 0.5;  // share of the points
 }  // namespace
 

@@ -17,7 +17,11 @@
 namespace segdf {
 
 VisibilityFilter::VisibilityFilter(const Config& config, IdSource& ids, int threads)
-    : config_(config), grid_(config.cvi, config.input.min_range), ids_(ids), tracks_(config.df), threads_(threads) {}
+    : config_(config),
+      grid_(config.cvi, config.input.min_range),
+      ids_(ids),
+      tracks_(config.df),
+      threads_(threads) {}
 
 bool VisibilityFilter::isSettled(const Window& window) const {
   return isOutOfReach(window, config_.df);
@@ -29,9 +33,8 @@ void VisibilityFilter::observe(const Window& window) {
   newest.evidence = std::make_shared<FrameEvidence>(prepareEvidence(newest, config_.df));
   if (window.size() < 2) return;
   const KeyFrame& previous = *window[window.size() - 2];
-  newest.evidence->way =
-      previous.evidence->way +
-      (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
+  newest.evidence->way = previous.evidence->way +
+                         (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
   compare(window);
 }
 

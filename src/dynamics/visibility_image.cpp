@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "segdf/core/fast_angle.hpp"
+#include "segdf/segmentation/arc_tangent.hpp"
 
 namespace segdf {
 
@@ -21,6 +21,11 @@ constexpr float kFarthestRange = 320.0F;  // metres; fits in 16 bits as centimet
 constexpr int kEnoughBins = 3;            // that are not empty, for FREE beside an empty own bin
 
 float horizontal(const Eigen::Vector3f& x) { return std::sqrt(x.x() * x.x() + x.y() * x.y()); }
+
+/// Angle of (x, y), rad, in [-pi, pi].
+float angleOf(float y, float x) {
+  return static_cast<float>(arcTangent2(static_cast<double>(y), static_cast<double>(x)));
+}
 
 int centimetres(float metres) {
   return static_cast<int>(std::lround(100.0F * std::min(metres, kFarthestRange)));
@@ -57,7 +62,7 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   lowest_ = kPi;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    elevations[i] = fastAtan2(points[i].z, horizontal(points[i].position()));
+    elevations[i] = angleOf(points[i].z, horizontal(points[i].position()));
     lowest_ = std::min(lowest_, elevations[i]);
     highest = std::max(highest, elevations[i]);
   }
@@ -70,7 +75,7 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
     const Point& p = points[i];
     const int row = static_cast<int>((elevations[i] - lowest_) / row_step_);
     const int column =
-        std::min(static_cast<int>((fastAtan2(p.y, p.x) + kPi) / column_step_), columns_ - 1);
+        std::min(static_cast<int>((angleOf(p.y, p.x) + kPi) / column_step_), columns_ - 1);
     const auto range = static_cast<Centimetres>(centimetres(p.position().norm()));
     const std::size_t bin = index(std::min(row, rows_ - 1), column);
     nearest_[bin] = std::min(nearest_[bin], range);
@@ -126,11 +131,11 @@ VolumetricState VisibilityImage::stateOf(const Eigen::Vector3f& place) const {
   if (!(range >= kNearestPlace && range <= kFarthestPlace) || rows_ == 0) {
     return VolumetricState::kUnknown;
   }
-  const float from_lowest = (fastAtan2(place.z(), horizontal(place)) - lowest_) / row_step_;
+  const float from_lowest = (angleOf(place.z(), horizontal(place)) - lowest_) / row_step_;
   const int row = static_cast<int>(std::floor(from_lowest));
   if (row < 0 || row >= rows_) return VolumetricState::kUnknown;
   const int column = std::min(
-      static_cast<int>((fastAtan2(place.y(), place.x()) + kPi) / column_step_), columns_ - 1);
+      static_cast<int>((angleOf(place.y(), place.x()) + kPi) / column_step_), columns_ - 1);
   const float tolerance = std::max(tau_, tau_ratio_ * range);
   const int near = centimetres(range - tolerance);
   const int far = centimetres(range + tolerance);

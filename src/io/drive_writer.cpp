@@ -88,8 +88,8 @@ void DriveWriter::writeInstances() {
     csv << r.id << ',' << r.parent << ',' << toString(r.object_class) << ',' << r.frames << ','
         << r.points << ',' << r.dynamic_points << ',' << r.size.x() << ',' << r.size.y() << ','
         << r.size.z() << ',' << (r.isDynamic() ? "dynamic" : "static") << ',' << r.static_votes
-        << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << ','
-        << toString(r.reason()) << '\n';
+        << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << ',' << toString(r.reason())
+        << '\n';
   }
   writeText(folder_.staging() / "instances.csv", csv.str());
   report_.setInstances(records.size(), removed);

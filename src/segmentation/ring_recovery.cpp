@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "segdf/segmentation/arc_tangent.hpp"
+
 namespace segdf {
 
 namespace {
@@ -19,24 +21,33 @@ constexpr double kLargestShare = 0.5;
 // Rings that begin where the first point lies do so within a fraction of a column.
 constexpr double kStartMargin = 1e-3;  // rad
 
-double azimuth(const Point& p) {
-  return std::atan2(static_cast<double>(p.y), static_cast<double>(p.x));
-}
+/// Where a finite point lies, rad. Taken once: every cut looks at all of them.
+struct Direction {
+  double azimuth = 0.0;
+  double elevation = 0.0;
+};
 
-double elevation(const Point& p) {
-  return std::atan2(static_cast<double>(p.z),
-                    std::hypot(static_cast<double>(p.x), static_cast<double>(p.y)));
+std::vector<Direction> directionsOf(const std::vector<Point>& points) {
+  std::vector<Direction> directions;
+  directions.reserve(points.size());
+  for (const Point& p : points) {
+    if (!isFinite(p)) continue;
+    const auto x = static_cast<double>(p.x);
+    const auto y = static_cast<double>(p.y);
+    directions.push_back(
+        {arcTangent2(y, x), arcTangent2(static_cast<double>(p.z), std::sqrt(x * x + y * y))});
+  }
+  return directions;
 }
 
 /// Smallest signed turn from a to b.
 double turn(double a, double b) { return std::remainder(b - a, 2.0 * kPi); }
 
 /// +1 when the azimuth mostly rises from point to point, -1 when it falls.
-double sweepDirection(const std::vector<Point>& points) {
+double sweepDirection(const std::vector<Direction>& directions) {
   std::ptrdiff_t rising = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (!isFinite(points[i]) || !isFinite(points[i - 1])) continue;
-    rising += turn(azimuth(points[i - 1]), azimuth(points[i])) > 0.0 ? 1 : -1;
+  for (std::size_t i = 1; i < directions.size(); ++i) {
+    rising += turn(directions[i - 1].azimuth, directions[i].azimuth) > 0.0 ? 1 : -1;
   }
   return rising >= 0 ? 1.0 : -1.0;
 }
@@ -50,32 +61,29 @@ struct Cut {
 };
 
 /// Cuts where the sweep, measured from the azimuth `start`, falls back by more than half a turn.
-Cut cutAt(const std::vector<Point>& points, double start, double direction) {
+Cut cutAt(const std::vector<Direction>& directions, double start, double direction) {
   Cut cut;
-  cut.rings.assign(points.size(), -1);
+  cut.rings.reserve(directions.size());
   double previous = 0.0;
   std::int16_t ring = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (isFinite(points[i])) {
-      double swept = direction * (azimuth(points[i]) - start);
-      swept -= 2.0 * kPi * std::floor(swept / (2.0 * kPi));
-      if (swept < previous - kPi && ring <= static_cast<std::int16_t>(kMaxRings)) ++ring;
-      previous = swept;
-    }
-    cut.rings[i] = ring;
+  for (const Direction& d : directions) {
+    double swept = direction * (d.azimuth - start);
+    swept -= 2.0 * kPi * std::floor(swept / (2.0 * kPi));
+    if (swept < previous - kPi && ring <= static_cast<std::int16_t>(kMaxRings)) ++ring;
+    previous = swept;
+    cut.rings.push_back(ring);
   }
   return cut;
 }
 
-void measureElevations(const std::vector<Point>& points, Cut& cut) {
+void measureElevations(const std::vector<Direction>& directions, Cut& cut) {
   const std::size_t count = cut.rings.empty() ? 0 : static_cast<std::size_t>(cut.rings.back()) + 1;
   std::vector<double> sum(count, 0.0);
   std::vector<double> squares(count, 0.0);
   std::vector<double> number(count, 0.0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!isFinite(points[i])) continue;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
     const auto ring = static_cast<std::size_t>(cut.rings[i]);
-    const double e = elevation(points[i]);
+    const double e = directions[i].elevation;
     sum[ring] += e;
     squares[ring] += e * e;
     number[ring] += 1.0;
@@ -90,16 +98,17 @@ void measureElevations(const std::vector<Point>& points, Cut& cut) {
 
 /// The cut with the fewest rings, since a wrong start cuts one ring more, and of these the most
 /// even one.
-Cut bestCut(const std::vector<Point>& points) {
-  const double direction = sweepDirection(points);
+Cut bestCut(const std::vector<Direction>& directions) {
+  const double direction = sweepDirection(directions);
   std::vector<double> starts{0.0, kPi / 2.0, kPi, -kPi / 2.0};
-  const auto first = std::find_if(points.begin(), points.end(), isFinite);
-  if (first != points.end()) starts.push_back(azimuth(*first) - direction * kStartMargin);
+  if (!directions.empty()) {
+    starts.push_back(directions.front().azimuth - direction * kStartMargin);
+  }
   Cut best;
   std::pair<std::size_t, double> least{~std::size_t{0}, 0.0};
   for (double start : starts) {
-    Cut cut = cutAt(points, start, direction);
-    measureElevations(points, cut);
+    Cut cut = cutAt(directions, start, direction);
+    measureElevations(directions, cut);
     const std::pair<std::size_t, double> cost{cut.elevations.size(), cut.scatter};
     if (cost >= least) continue;
     least = cost;
@@ -122,10 +131,11 @@ bool isPlausible(const std::vector<double>& elevations) {
 }  // namespace
 
 bool recoverRings(std::vector<Point>& points) {
-  const Cut cut = bestCut(points);
+  const Cut cut = bestCut(directionsOf(points));
   if (cut.largest > kLargestShare * static_cast<double>(points.size())) return false;
   if (!isPlausible(cut.elevations)) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].ring = cut.rings[i];
+  std::size_t next = 0;
+  for (Point& p : points) p.ring = isFinite(p) ? cut.rings[next++] : std::int16_t{-1};
   return true;
 }
 

@@ -20,20 +20,20 @@ double roundedRamp(double x) {
 
 }  // namespace
 
-bool Ground::inJunction(double along, double margin) const {
+bool Terrain::inJunction(double along, double margin) const {
   return std::any_of(junctions.begin(), junctions.end(),
                      [&](double at) { return std::abs(along - at) < half_junction + margin; });
 }
 
-std::uint16_t Ground::classAt(const StreetPoint& point) const {
+std::uint16_t Terrain::classAt(const StreetPoint& point) const {
   if (std::abs(point.across) <= half_lanes || inJunction(point.along)) return kRoad;
   if (std::abs(point.across) <= half_road) return kParking;
   return std::abs(point.across) <= half_street ? kSidewalk : kTerrain;
 }
 
-double Ground::heightAt(double x, double y) const { return heightAt(x, y, line.nearest(x, y)); }
+double Terrain::heightAt(double x, double y) const { return heightAt(x, y, line.nearest(x, y)); }
 
-double Ground::heightAt(double x, double y, const StreetPoint& point) const {
+double Terrain::heightAt(double x, double y, const StreetPoint& point) const {
   // Two long waves that do not repeat together within a drive.
   double height = undulation * (0.6 * std::sin(x / 11.0) + 0.4 * std::sin(x / 27.0 + y / 15.0));
   for (const Grade& grade : grades) {

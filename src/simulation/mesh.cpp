@@ -67,7 +67,7 @@ void addSolid(const Solid& solid, const Pose& map_T_object, const Material& mate
 /// The ground as a grid along and across the street.
 class GroundGrid {
  public:
-  GroundGrid(const Ground& ground, Mesh& mesh) : ground_(ground), mesh_(mesh) {
+  GroundGrid(const Terrain& ground, Mesh& mesh) : ground_(ground), mesh_(mesh) {
     for (double share = 1.0; share > 0.01; share -= 0.1) lines_.push_back(-1.0 - share);
     for (double y : {1.0, 0.8}) lines_.push_back(-y);
     inner_ = {-ground.half_road - kKerbWidth, -ground.half_road};
@@ -138,11 +138,11 @@ class GroundGrid {
   }
 
   float reflectanceOf(std::uint16_t semantic_class) const {
-    if (semantic_class == Ground::kTerrain) return kGrass;
-    return semantic_class == Ground::kSidewalk ? kPavement : kAsphalt;
+    if (semantic_class == Terrain::kTerrain) return kGrass;
+    return semantic_class == Terrain::kSidewalk ? kPavement : kAsphalt;
   }
 
-  const Ground& ground_;
+  const Terrain& ground_;
   Mesh& mesh_;
   std::vector<double> lines_;  // on the right, outermost first: shares of the street, then beyond
   std::vector<double> inner_;  // metres across, road and kerbs
@@ -182,6 +182,6 @@ void addSolids(const std::vector<Solid>& solids,
   }
 }
 
-void addGround(const Ground& ground, Mesh& mesh) { GroundGrid(ground, mesh).add(); }
+void addGround(const Terrain& ground, Mesh& mesh) { GroundGrid(ground, mesh).add(); }
 
 }  // namespace segdf

@@ -29,7 +29,7 @@ std::uint32_t SceneObject::label() const {
 }
 
 void settleSight(Scene& scene, double duration, double step) {
-  constexpr double kSight = 60.0;     // metres
+  constexpr double kSight = 60.0;    // metres
   constexpr double kMovement = 0.5;  // metres
   for (SceneObject& object : scene.objects) {
     if (!object.moves()) continue;

@@ -36,7 +36,7 @@ class SceneBuilder {
   SceneBuilder(const SceneDescription& description, std::uint64_t seed, double duration)
       : description_(description), seed_(seed), duration_(duration) {
     const StreetDescription& street = description.street;
-    Ground& ground = scene_.ground;
+    Terrain& ground = scene_.ground;
     ground.line = CentreLine(street.bends);
     ground.grades = street.grades;
     ground.junctions = street.junctions;

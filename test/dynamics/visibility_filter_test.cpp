@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "segdf/pipeline/pipeline.hpp"
+
 #include "support/box_world.hpp"
 
 namespace segdf {
@@ -102,16 +103,14 @@ TEST_F(VisibilityFilterTest, KeepsWhatStandsThroughTheWholeDrive) {
 
 TEST_F(VisibilityFilterTest, WhatIsHiddenByANewOccluderIsNeverDynamic) {
   // A lorry comes to stand before the parked car, and hides it for the rest of the drive.
-  drive(20, 7.0, 1.0, [](double k) {
-    return k < 8.0 ? Eigen::Vector2d(60.0, 2.5) : Eigen::Vector2d(14.0, 2.5);
-  });
+  drive(20, 7.0, 1.0,
+        [](double k) { return k < 8.0 ? Eigen::Vector2d(60.0, 2.5) : Eigen::Vector2d(14.0, 2.5); });
   EXPECT_EQ(parkedRemoved(), 0.0);
 }
 
 TEST_F(VisibilityFilterTest, ACarThatLeavesItsPlaceIsRemovedFromThere) {
-  drive(24, 4.2, 1.8, [](double k) {
-    return Eigen::Vector2d(20.0 + (k < 12.0 ? 0.0 : 1.2 * (k - 12.0)), -3.0);
-  });
+  drive(24, 4.2, 1.8,
+        [](double k) { return Eigen::Vector2d(20.0 + (k < 12.0 ? 0.0 : 1.2 * (k - 12.0)), -3.0); });
   EXPECT_GT(moverRemoved(4.2, 1.8), 0.8) << "semi-static: it drove, so it does not belong there";
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/dynamics/visibility_image.hpp"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
-#include "segdf/core/fast_angle.hpp"
 #include "support/box_world.hpp"
 
 namespace segdf {
@@ -85,16 +82,6 @@ TEST(VisibilityImage, AnAnswerDoesNotDependOnWhereTheAzimuthBegins) {
   }
   // Points on the border of two bins may change sides by rounding.
   EXPECT_LT(static_cast<double>(different), 0.01 * static_cast<double>(compared));
-}
-
-TEST(FastAtan2, AgreesWithTheLibraryAllAround) {
-  for (int k = 0; k < 3600; ++k) {
-    const double angle = k * kPi / 1800.0 - kPi + 1e-4;
-    const auto x = static_cast<float>(7.0 * std::cos(angle));
-    const auto y = static_cast<float>(7.0 * std::sin(angle));
-    EXPECT_NEAR(fastAtan2(y, x), std::atan2(y, x), 1e-5F);
-  }
-  EXPECT_EQ(fastAtan2(0.0F, 0.0F), 0.0F);
 }
 
 }  // namespace

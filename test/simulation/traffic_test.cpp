@@ -37,8 +37,8 @@ TEST(CentreLine, NearestIsTheInverseOfPlace) {
   EXPECT_THROW(CentreLine({{30.0, kQuarter, 25.0}, {40.0, 0.5, 25.0}}), std::invalid_argument);
 }
 
-TEST(Ground, GradesClimbAndKerbsStep) {
-  Ground ground;
+TEST(Terrain, GradesClimbAndKerbsStep) {
+  Terrain ground;
   ground.undulation = 0.0;
   ground.grades = {{20.0, 70.0, 4.0}};
   ground.junctions = {100.0};
@@ -47,11 +47,11 @@ TEST(Ground, GradesClimbAndKerbsStep) {
   EXPECT_NEAR(ground.heightAt(90.0, 0.0), 2.0, 1e-9) << "50 m of 4 %";
   EXPECT_NEAR(ground.heightAt(90.0, 8.0), 2.12, 1e-9) << "on the kerb";
   EXPECT_NEAR(ground.heightAt(100.0, 8.0), 2.0, 1e-9) << "no kerb at a junction";
-  EXPECT_EQ(ground.classAt({0.0, 3.0}), Ground::kRoad);
-  EXPECT_EQ(ground.classAt({0.0, -6.0}), Ground::kParking);
-  EXPECT_EQ(ground.classAt({0.0, -8.0}), Ground::kSidewalk);
-  EXPECT_EQ(ground.classAt({0.0, 12.0}), Ground::kTerrain);
-  EXPECT_EQ(ground.classAt({100.0, 12.0}), Ground::kRoad);
+  EXPECT_EQ(ground.classAt({0.0, 3.0}), Terrain::kRoad);
+  EXPECT_EQ(ground.classAt({0.0, -6.0}), Terrain::kParking);
+  EXPECT_EQ(ground.classAt({0.0, -8.0}), Terrain::kSidewalk);
+  EXPECT_EQ(ground.classAt({0.0, 12.0}), Terrain::kTerrain);
+  EXPECT_EQ(ground.classAt({100.0, 12.0}), Terrain::kRoad);
 }
 
 TEST(Footprint, OverlapIsThatOfTurnedRectangles) {

@@ -346,7 +346,8 @@ struct DynamicConfig {
              "what stood for a while and moved before or after: goes, or stays while it stands");
     v.number("min_quality", s.min_quality, 0.0, 1.0, "",
              "share of points that must fit a pair's pose, else the pair is dropped");
-    v.integer("vis_min", s.vis_min, 1, 1000, "points", "a pair says something of an instance when "
+    v.integer("vis_min", s.vis_min, 1, 1000, "points",
+              "a pair says something of an instance when "
               "so many of its points are seen free or hit ...");
     v.number("vis_frac", s.vis_frac, 0.0, 1.0, "", "... and this share of them");
     v.number("f_dyn", s.f_dyn, 0.0, 1.0, "", "free share that is a vote for dynamic");

@@ -55,9 +55,9 @@ struct InstanceObservation {
   bool dynamic = false;
   bool fused = false;  ///< made of several clusters (Algorithm 2, line 18)
   std::uint32_t points = 0;
-  std::uint32_t static_votes = 0;                    ///< HS votes (Algorithm 2, lines 12 and 17)
-  std::uint32_t dynamic_votes = 0;                   ///< HD votes (lines 10 and 14)
-  std::uint32_t needed_votes = 0;                    ///< HD votes that make it dynamic
+  std::uint32_t static_votes = 0;   ///< HS votes (Algorithm 2, lines 12 and 17)
+  std::uint32_t dynamic_votes = 0;  ///< HD votes (lines 10 and 14)
+  std::uint32_t needed_votes = 0;   ///< HD votes that make it dynamic
   Reason reason = Reason::kNoEvidence;
   std::vector<Look> looks;                           ///< of the frames that saw enough of it
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< box centre in the map frame, metres

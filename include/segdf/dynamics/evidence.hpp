@@ -23,11 +23,11 @@ struct PlaceEvidence {
 
 /// What one other key frame says of a segment: F(C, j) of method.md 6.4.
 struct PairVote {
-  std::size_t scan = 0;       ///< running number of the other scan
-  float seconds = 0.0F;       ///< to it, negative into the past
-  std::uint32_t free = 0;     ///< points seen through
-  std::uint32_t hit = 0;      ///< points found again
-  bool informative = false;   ///< enough points were seen
+  std::size_t scan = 0;      ///< running number of the other scan
+  float seconds = 0.0F;      ///< to it, negative into the past
+  std::uint32_t free = 0;    ///< points seen through
+  std::uint32_t hit = 0;     ///< points found again
+  bool informative = false;  ///< enough points were seen
 
   /// F, 0 when nothing was seen.
   float freeShare() const {
@@ -37,8 +37,8 @@ struct PairVote {
 
 /// What a key frame brings to the comparison with others, and what these said of it.
 struct FrameEvidence {
-  double time = 0.0;         ///< seconds
-  double way = 0.0;          ///< length of the path up to here, metres
+  double time = 0.0;  ///< seconds
+  double way = 0.0;   ///< length of the path up to here, metres
   VisibilityImage image;
   PlaneMap planes;
   std::vector<Eigen::Vector3f> registration_points;

@@ -37,7 +37,7 @@ struct KeyFrame {
   /// Points of no instance that moved: ground points of moving objects, small clusters. Ascending.
   std::vector<std::uint32_t> removed;
   std::shared_ptr<FrameEvidence> evidence;  ///< the filter's own; empty in literal mode
-  double pose_misfit = 0.0;         ///< metres, see FrameResult
+  double pose_misfit = 0.0;                 ///< metres, see FrameResult
   StageTimes times;
 };
 

@@ -25,7 +25,8 @@ void uniteSegments(KeyFrame& frame,
                    const ClassConfig& config);
 
 /// Takes `points` (ascending, some but not all of the segment's) out of a segment and makes them a
-/// new one, last in the list, of the same class. Boxes follow; features stay as they were. @returns the index of the new segment
+/// new one, last in the list, of the same class. Boxes follow; features stay as they were. @returns
+/// the index of the new segment
 std::size_t splitSegment(KeyFrame& frame,
                          std::size_t segment,
                          const std::vector<std::uint32_t>& points);

@@ -12,16 +12,16 @@ namespace segdf {
 /// The ground that an object stands on, as a plane through the ground points around it.
 class LocalGround {
  public:
-  /// Fits the plane to the ground points of the frame within 4 m of the area. What sticks out above
-  /// it, such as feet and wheels that were taken for ground, hardly counts. Where there is too
-  /// little ground the height of frame.seg is used instead.
+  /// Fits the plane to the ground points of the frame within 4 m of the area, the nearer the more.
+  /// What sticks out above it, such as feet and wheels that were taken for ground, hardly counts.
+  /// Where there is too little ground the height of frame.seg is used instead.
   LocalGround(const KeyFrame& frame, const Eigen::AlignedBox2f& area);
 
   /// Height of point i of the frame, metres.
   float heightOf(std::size_t i) const;
 
  private:
-  void fit(const std::vector<Eigen::Vector3f>& ground);
+  void fit(const std::vector<Eigen::Vector3f>& ground, const Eigen::AlignedBox2f& area);
 
   const KeyFrame& frame_;
   bool known_ = false;

@@ -15,7 +15,7 @@ namespace segdf {
 
 /// Small plane of a scan, in its sensor frame.
 struct SmallPlane {
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();      ///< metres
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();     ///< metres
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< unit
 };
 

@@ -11,9 +11,9 @@ namespace segdf {
 void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config);
 
 /// Settles what lies low around removed instances (method.md 6.7): ground points, and points of no
-/// instance, under an instance go with it (wheels, feet, sills that were taken for ground), and its own low points that are not
-/// under it stay as ground. Under: within df.foot_margin of the hull of what is higher than
-/// df.foot_height.
+/// instance, under an instance go with it (wheels, feet, sills that were taken for ground), and its
+/// own low points that are not under it stay as ground. Under: within df.foot_margin of the hull of
+/// what is higher than df.foot_height.
 void settleGround(KeyFrame& frame, const DynamicConfig& config);
 
 }  // namespace segdf

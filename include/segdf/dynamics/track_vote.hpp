@@ -11,11 +11,11 @@
 
 namespace segdf {
 
-/// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic when
-/// its track was proven to move: by at least two members of its size in the window, unless the
+/// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic
+/// when its track was proven to move: by at least two members of its size in the window, unless the
 /// instance itself was found again over and over, or by many members, in the past too, and
-/// df.semi_static says that what moved at any time goes (a car that stops at lights). Memory: tracks
-/// that have left the window are forgotten.
+/// df.semi_static says that what moved at any time goes (a car that stops at lights). Memory:
+/// tracks that have left the window are forgotten.
 class TrackBook {
  public:
   /// Sizes of instances that the votes made dynamic, metres, by id.
@@ -23,8 +23,8 @@ class TrackBook {
 
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
 
-  /// Makes instances of the frame dynamic by their tracks. Verdicts by votes are made for all frames
-  /// of the window; those of frames still gathering evidence count as they are.
+  /// Makes instances of the frame dynamic by their tracks. Verdicts by votes are made for all
+  /// frames of the window; those of frames still gathering evidence count as they are.
   void propagate(const Window& window, std::size_t position);
 
   /// Notes what was decided on the frame that leaves.

@@ -21,8 +21,8 @@ struct Verdict {
 };
 
 /// Dynamic iff at least max(df.votes, df.vote_share of the informative pairs) have F >= df.f_dyn.
-/// Where fewer than df.votes informative pairs are df.keep_delay or more apart (the ends of a drive,
-/// a short sight), iff one of these has F >= df.f_single. No informative pair: static.
+/// Where fewer than df.votes informative pairs are df.keep_delay or more apart (the ends of a
+/// drive, a short sight), iff one of these has F >= df.f_single. No informative pair: static.
 Verdict judgeVotes(const std::vector<PairVote>& votes, const DynamicConfig& config);
 
 /// True when a segment was found again where it is, for the most part, by at least df.keep_hits

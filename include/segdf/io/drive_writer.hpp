@@ -20,8 +20,8 @@
 namespace segdf {
 
 /// Writes everything that a drive leaves behind: static_map.pcd, dynamic_points.pcd,
-/// labels/NNNNNN.label, instances.csv, evidence.csv, config.yaml, report.json and map.png (layout.md 6). Maps go
-/// to disk frame by frame.
+/// labels/NNNNNN.label, instances.csv, evidence.csv, config.yaml, report.json and map.png
+/// (layout.md 6). Maps go to disk frame by frame.
 class DriveWriter {
  public:
   /// @throws IoError when the folder cannot be written

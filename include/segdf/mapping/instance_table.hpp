@@ -25,7 +25,7 @@ struct InstanceRecord {
   std::size_t dynamic_votes = 0;
   bool fused = false;
   std::array<std::size_t, kReasons> frames_by_reason{};  ///< indexed by Reason
-  std::array<std::size_t, 5> points_by_class{};  ///< indexed by ObjectClass
+  std::array<std::size_t, 5> points_by_class{};          ///< indexed by ObjectClass
 
   /// "dynamic" if at least half of its points were removed, else "static".
   bool isDynamic() const { return 2 * dynamic_points >= points; }

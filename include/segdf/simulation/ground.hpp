@@ -16,7 +16,7 @@ struct Grade {
 };
 
 /// Road, kerbs, sidewalks and the land around, as a height over the map plane.
-struct Ground {
+struct Terrain {
   // SemanticKITTI's classes.
   static constexpr std::uint16_t kRoad = 40;
   static constexpr std::uint16_t kParking = 44;

@@ -32,6 +32,6 @@ void addSolids(const std::vector<Solid>& solids,
                Mesh& mesh);
 
 /// Adds the ground as a grid that has the kerbs as steps.
-void addGround(const Ground& ground, Mesh& mesh);
+void addGround(const Terrain& ground, Mesh& mesh);
 
 }  // namespace segdf

@@ -68,7 +68,7 @@ struct SceneObject {
 
 /// All that rays can hit, and the way of the sensor over it.
 struct Scene {
-  Ground ground;
+  Terrain ground;
   std::vector<SceneObject> objects;
   std::vector<WayPoint> ego;
 
