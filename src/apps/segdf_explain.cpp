@@ -17,9 +17,9 @@ struct Options {
 };
 
 std::string sentence(const segdf::EvidenceRow& row) {
-  const std::string votes = std::to_string(row.dynamic_votes) + " of " + std::to_string(row.looks) +
-                            " looks saw through it, " + std::to_string(row.needed_votes) +
-                            " needed; " + std::to_string(row.static_votes) + " found it again";
+  std::string votes = std::to_string(row.dynamic_votes) + " of " + std::to_string(row.looks) +
+                      " looks saw through it, " + std::to_string(row.needed_votes) + " needed; " +
+                      std::to_string(row.static_votes) + " found it again";
   if (row.reason == "no_evidence") return "no other scan saw enough of it: kept";
   if (row.reason == "association") return "literal mode, by neighbours and occupancy";
   if (row.reason == "long_look")

@@ -23,9 +23,9 @@ class Projections {
   }
 
   void add(float x, float y) {
-    static const Directions kDirections;
+    static const Directions directions;
     for (std::size_t k = 0; k < kCount; ++k) {
-      const float along = kDirections.cosine[k] * x + kDirections.sine[k] * y;
+      const float along = directions.cosine[k] * x + directions.sine[k] * y;
       low_[k] = along < low_[k] ? along : low_[k];
       high_[k] = along > high_[k] ? along : high_[k];
     }

@@ -20,6 +20,7 @@ constexpr std::size_t kTriples = 1200;
 constexpr std::size_t kMaxAttempts = 3 * kTriples;
 constexpr std::size_t kMinPoints = 10;
 constexpr int kGrid = 64;
+constexpr float kHalfGrid = 32.0F;
 constexpr float kRadius = 31.5F;  // cells
 // Three points on a line: PCL's bound on the squared area, in cells to the fourth power at a grid
 // 64 times as fine.
@@ -133,20 +134,24 @@ class SurfaceGrid {
 
   static Cell cellOf(const Eigen::Vector3f& p) {
     const auto cell = [](float value) {
-      return std::clamp(static_cast<int>(value + static_cast<float>(kGrid / 2)), 0, kGrid - 1);
+      return std::clamp(static_cast<int>(value + kHalfGrid), 0, kGrid - 1);
     };
     return {cell(p.x()), cell(p.y()), cell(p.z())};
   }
 
+  static std::size_t columnIndex(int x, int y) {
+    return static_cast<std::size_t>(x) * kGrid + static_cast<std::size_t>(y);
+  }
+
   int isFilled(int x, int y, int z) const {
-    return static_cast<int>((columns_[static_cast<std::size_t>(x * kGrid + y)] >> z) & 1U);
+    return static_cast<int>((columns_[columnIndex(x, y)] >> z) & 1U);
   }
 
   void fillAround(const Cell& cell) {
     const std::uint64_t three = cell.z() > 0 ? std::uint64_t{7} << (cell.z() - 1) : 3U;
     for (int x = std::max(0, cell.x() - 1); x <= std::min(kGrid - 1, cell.x() + 1); ++x) {
       for (int y = std::max(0, cell.y() - 1); y <= std::min(kGrid - 1, cell.y() + 1); ++y) {
-        columns_[static_cast<std::size_t>(x * kGrid + y)] |= three;
+        columns_[columnIndex(x, y)] |= three;
       }
     }
   }

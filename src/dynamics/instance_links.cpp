@@ -8,6 +8,7 @@
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/frame_segments.hpp"
+#include "segdf/dynamics/size_match.hpp"
 #include "segdf/segmentation/clustering.hpp"
 #include "segdf/segmentation/union_find.hpp"
 
@@ -16,8 +17,6 @@ namespace segdf {
 namespace {
 
 constexpr double kMotionGate = 2.5;     // metres from where an instance is expected
-constexpr float kSizeRatio = 1.3F;      // of two views of one object
-constexpr float kSizeSlack = 0.3F;      // metres
 constexpr float kLongestMover = 19.0F;  // metres: an articulated bus
 constexpr float kHighestMover = 4.5F;   // metres
 
@@ -99,9 +98,7 @@ Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
 /// Like two views of one object that can move.
 bool isAlike(const UprightBox& a, const UprightBox& b) {
   const Eigen::Array3f larger = a.size.array().max(b.size.array());
-  const Eigen::Array3f smaller = a.size.array().min(b.size.array());
-  return larger.x() <= kLongestMover && larger.z() <= kHighestMover &&
-         (larger <= kSizeRatio * smaller + kSizeSlack).all();
+  return larger.x() <= kLongestMover && larger.z() <= kHighestMover && isSameSize(a.size, b.size);
 }
 
 struct MotionLink {

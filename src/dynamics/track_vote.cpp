@@ -6,6 +6,7 @@
 #include <set>
 
 #include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/size_match.hpp"
 #include "segdf/dynamics/verdict.hpp"
 
 namespace segdf {
@@ -15,17 +16,6 @@ namespace {
 constexpr std::size_t kProofs = 2;
 constexpr std::size_t kStrongProofs = 8;  // outweigh that the instance stands here
 constexpr std::size_t kKeptProofs = 32;   // more of the past tell nothing new
-constexpr float kSizeRatio = 1.3F;
-constexpr float kSizeSlack = 0.3F;  // metres
-
-/// May the smaller be a part of the larger? From afar and from behind others a part is seen.
-bool isPartOf(const Eigen::Vector3f& part, const Eigen::Vector3f& whole) {
-  return (part.array() <= kSizeRatio * whole.array() + kSizeSlack).all();
-}
-
-bool isSimilar(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-  return isPartOf(a, b) && isPartOf(b, a);
-}
 
 using Sizes = TrackBook::Sizes;
 
@@ -63,7 +53,7 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
     bool moves = false;
     if (!isParked(frame.evidence->votes[s], segment.points.size(), config_)) {
       moves = countProofs(present, instance.id, [&size](const Eigen::Vector3f& proof) {
-                return isSimilar(proof, size);
+                return isSameSize(proof, size);
               }) >= kProofs;
     } else if (config_.semi_static == SemiStatic::kRemove) {
       const auto part = [&size](const Eigen::Vector3f& proof) { return isPartOf(proof, size); };

@@ -110,7 +110,7 @@ class YamlReader {
       bool found = false;
       for (const std::string& name : known) {
         found = found || name == key;
-        list += (list.empty() ? "" : ", ") + name;
+        list.append(list.empty() ? "" : ", ").append(name);
       }
       if (!found) fail("unknown parameter " + quoted(prefix + key) + "; known are: " + list);
     }

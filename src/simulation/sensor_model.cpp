@@ -31,6 +31,7 @@ std::vector<double> hdl64Elevations() {
 
 std::vector<double> evenElevations(int beams, double top, double bottom) {
   std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(beams));
   for (int k = 0; k < beams; ++k) result.push_back(top + (bottom - top) * k / (beams - 1));
   return result;
 }

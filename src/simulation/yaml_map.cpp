@@ -45,8 +45,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-YamlMap::YamlMap(YAML::Node node, std::string where, std::string prefix)
-    : node_(std::move(node)), where_(std::move(where)), prefix_(std::move(prefix)) {
+YamlMap::YamlMap(const YAML::Node& node, std::string where, std::string prefix)
+    : node_(node), where_(std::move(where)), prefix_(std::move(prefix)) {
   if (node_.IsDefined() && !node_.IsNull() && !node_.IsMap()) {
     throw std::invalid_argument(where_ + ": " + (prefix_.empty() ? "a scene" : prefix_) +
                                 " must hold keys, 'name: value'");

@@ -18,7 +18,7 @@ class YamlMap {
  public:
   /// @param where file, and path of the map in it
   /// @throws std::invalid_argument when the node is no map
-  YamlMap(YAML::Node node, std::string where, std::string prefix);
+  YamlMap(const YAML::Node& node, std::string where, std::string prefix);
 
   bool has(const std::string& key);
   /// Overwrites the value when the key is there. @throws std::invalid_argument
