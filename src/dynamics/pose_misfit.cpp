@@ -66,10 +66,12 @@ double poseMisfit(const KeyFrame& from, const KeyFrame& to, const CurvedGrid& gr
   if (queries.size() < kMinSamples) return std::numeric_limits<double>::quiet_NaN();
   sortByKey(items);
   std::vector<CurvedGrid::Key> keys;
+  keys.reserve(items.size());
   for (const KeyedPoint& item : items) keys.push_back(item.first);
   forEachNeighbour(keys, to.seg.voxels, grid, 1,
                    [&](std::size_t q, std::size_t v) { compare(to, v, queries[items[q].second]); });
   std::vector<double> misfits;
+  misfits.reserve(queries.size());
   for (const Query& query : queries) misfits.push_back(query.misfit);
   const auto middle = misfits.begin() + static_cast<std::ptrdiff_t>(misfits.size() / 2);
   std::nth_element(misfits.begin(), middle, misfits.end());

@@ -112,8 +112,12 @@ class YamlReader {
         found = found || name == key;
         list.append(list.empty() ? "" : ", ").append(name);
       }
-      if (!found) fail("unknown parameter " + quoted(prefix + key) + "; known are: " + list);
+      if (!found) failUnknown(prefix + key, list);
     }
+  }
+
+  [[noreturn]] void failUnknown(const std::string& name, const std::string& known) const {
+    fail("unknown parameter " + quoted(name) + "; known are: " + known);
   }
 
   [[noreturn]] void fail(const std::string& message) const {

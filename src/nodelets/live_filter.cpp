@@ -34,8 +34,8 @@ void LiveFilter::restart() {
 }
 
 const std::vector<MapPoint>& LiveFilter::map() const {
-  static const std::vector<MapPoint> kEmpty;
-  return map_ ? map_->points() : kEmpty;
+  static const std::vector<MapPoint> no_points;
+  return map_ ? map_->points() : no_points;
 }
 
 void LiveFilter::start(const std::string& sensor) {

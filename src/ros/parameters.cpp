@@ -17,6 +17,7 @@ void emit(YAML::Emitter& out, XmlRpcValue value);  // by value: XmlRpc reads onl
 
 void emitList(YAML::Emitter& out, XmlRpcValue& list) {
   out << YAML::Flow << YAML::BeginSeq;
+  // NOLINTNEXTLINE(modernize-loop-convert): begin() of an XmlRpcValue is that of a struct.
   for (int i = 0; i < list.size(); ++i) emit(out, list[i]);
   out << YAML::EndSeq;
 }

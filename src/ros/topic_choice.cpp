@@ -25,14 +25,16 @@ TopicTypes::const_iterator find(const TopicTypes& topics, const std::string& nam
 std::string listOf(const TopicTypes& topics) {
   std::string list;
   for (const auto& [name, type] : topics) {
-    list += (list.empty() ? "" : ", ") + name + " (" + type + ")";
+    list.append(list.empty() ? "" : ", ").append(name).append(" (").append(type).append(")");
   }
   return list.empty() ? "none at all" : list;
 }
 
 std::string alternatives(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "'" : " or '") + name + "'";
+  for (const std::string& name : names) {
+    text.append(text.empty() ? "'" : " or '").append(name).append("'");
+  }
   return text;
 }
 

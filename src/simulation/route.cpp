@@ -23,7 +23,7 @@ Eigen::Vector2d vec(const StreetPoint& point) { return {point.along, point.acros
 Route::Route(const CentreLine& line, const std::vector<StreetPoint>& corners, double rounding) {
   Eigen::Vector2d from = vec(corners.front());
   addPoint(line, corners.front());
-  const auto straightTo = [&](const Eigen::Vector2d& to) {
+  const auto straight_to = [&](const Eigen::Vector2d& to) {
     const auto steps = static_cast<int>(std::ceil((to - from).norm() / kStep));
     for (int k = 1; k <= steps; ++k) {
       const Eigen::Vector2d p = from + (to - from) * k / steps;
@@ -38,7 +38,7 @@ Route::Route(const CentreLine& line, const std::vector<StreetPoint>& corners, do
     const double cut = std::min({rounding, in.norm() / 2.0, out.norm() / 2.0});
     const Eigen::Vector2d begin = corner - cut * in.normalized();
     const Eigen::Vector2d end = corner + cut * out.normalized();
-    straightTo(begin);
+    straight_to(begin);
     const auto steps = static_cast<int>(std::ceil(2.0 * cut / kStep));
     for (int i = 1; i <= steps; ++i) {
       const double u = static_cast<double>(i) / steps;
@@ -48,7 +48,7 @@ Route::Route(const CentreLine& line, const std::vector<StreetPoint>& corners, do
     }
     from = end;
   }
-  straightTo(vec(corners.back()));
+  straight_to(vec(corners.back()));
   setHeadings(line.place(corners.front()).yaw);
   setSpeeds();
 }
