@@ -12,7 +12,7 @@ namespace segdf {
 namespace {
 
 constexpr std::size_t kLarge = 300;  // points
-constexpr double kSlack = 0.05;      // seconds; frames come with jitter
+constexpr double kJitter = 0.05;     // seconds
 
 void increment(std::uint8_t& counter) {
   if (counter < std::numeric_limits<std::uint8_t>::max()) ++counter;
@@ -70,6 +70,10 @@ void listPlaces(const KeyFrame& frame, FrameEvidence& evidence) {
 
 }  // namespace
 
+bool isFarInTime(double seconds, const DynamicConfig& config) {
+  return std::abs(seconds) >= config.keep_delay - kJitter;
+}
+
 FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config) {
   const std::vector<Point>& points = frame.scan.points;
   FrameEvidence evidence{frame.scan.stampSeconds(),
@@ -107,7 +111,7 @@ void gatherEvidence(KeyFrame& frame,
   const Eigen::Matrix3f rotation = other_T_frame.linear().cast<float>();
   const Eigen::Vector3f translation = other_T_frame.translation().cast<float>();
   const double seconds = other.evidence->time - evidence.time;
-  const bool late = std::abs(seconds) >= config.keep_delay - kSlack;
+  const bool late = isFarInTime(seconds, config);
   const auto look = [&](std::size_t group) {
     PairVote vote;
     vote.scan = other.index;

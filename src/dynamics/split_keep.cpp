@@ -110,8 +110,11 @@ double heightOf(const KeyFrame& frame, const Indices& part) {
 
 }  // namespace
 
-void splitMoved(KeyFrame& frame, const Config& config, const CurvedGrid& grid, IdSource& ids) {
-  const std::vector<PlaceEvidence> by_point = evidenceByPoint(frame);
+void splitMoved(KeyFrame& frame,
+                const std::vector<PlaceEvidence>& by_point,
+                const Config& config,
+                const CurvedGrid& grid,
+                IdSource& ids) {
   const std::size_t count = frame.instances.size();
   for (std::size_t s = 0; s < count; ++s) {
     if (frame.instances[s].dynamic) continue;
@@ -124,9 +127,12 @@ void splitMoved(KeyFrame& frame, const Config& config, const CurvedGrid& grid, I
   }
 }
 
-void keepStanding(KeyFrame& frame, const Config& config, const CurvedGrid& grid, IdSource& ids) {
+void keepStanding(KeyFrame& frame,
+                  const std::vector<PlaceEvidence>& by_point,
+                  const Config& config,
+                  const CurvedGrid& grid,
+                  IdSource& ids) {
   const auto hits = static_cast<std::uint8_t>(config.df.keep_hits);
-  const std::vector<PlaceEvidence> by_point = evidenceByPoint(frame);
   const std::size_t count = frame.instances.size();
   for (std::size_t s = 0; s < count; ++s) {
     if (!frame.instances[s].dynamic) continue;

@@ -7,7 +7,6 @@
 namespace segdf {
 
 namespace {
-constexpr double kSlack = 0.05;      // seconds; frames come with jitter
 constexpr double kFoundAgain = 0.5;  // share of the points
 }  // namespace
 
@@ -22,7 +21,7 @@ Verdict judgeVotes(const std::vector<PairVote>& votes, const DynamicConfig& conf
     verdict.dynamic_votes += share >= config.f_dyn ? 1 : 0;
     verdict.static_votes += share <= config.f_stat ? 1 : 0;
     verdict.best = std::max(verdict.best, vote.freeShare());
-    if (std::abs(static_cast<double>(vote.seconds)) < config.keep_delay - kSlack) continue;
+    if (!isFarInTime(static_cast<double>(vote.seconds), config)) continue;
     ++far;
     best_far = std::max(best_far, share);
   }

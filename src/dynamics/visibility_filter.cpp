@@ -74,8 +74,9 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
   judge(frame);
   tracks_.propagate(window, position);
   tracks_.note(frame);
-  splitMoved(frame, config_, grid_, ids_);
-  keepStanding(frame, config_, grid_, ids_);
+  const std::vector<PlaceEvidence> by_point = evidenceByPoint(frame);
+  splitMoved(frame, by_point, config_, grid_, ids_);
+  keepStanding(frame, by_point, config_, grid_, ids_);
   removeLoosePoints(frame, config_.df);
   settleGround(frame, config_.df);
   frame.judged = true;

@@ -56,6 +56,10 @@ struct FrameEvidence {
   std::vector<std::vector<PairVote>> votes;  ///< for each segment, in the order of gathering
 };
 
+/// True from df.keep_delay on, either way in time: nearer frames hit what moves slowly, too. Frames
+/// come with jitter, so that 0.05 s less is enough.
+bool isFarInTime(double seconds, const DynamicConfig& config);
+
 /// Image, planes and points of a segmented key frame; no votes yet.
 FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config);
 

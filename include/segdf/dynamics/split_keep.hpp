@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "segdf/core/config.hpp"
+#include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/frame.hpp"
 #include "segdf/segmentation/curved_voxels.hpp"
 
@@ -9,11 +12,21 @@ namespace segdf {
 
 /// Split (method.md 6.5): takes the parts of static instances that others saw through out of them
 /// and makes them dynamic instances. Parts are connected and have at least df.split_min points.
-void splitMoved(KeyFrame& frame, const Config& config, const CurvedGrid& grid, IdSource& ids);
+/// @param by_point evidenceByPoint(frame)
+void splitMoved(KeyFrame& frame,
+                const std::vector<PlaceEvidence>& by_point,
+                const Config& config,
+                const CurvedGrid& grid,
+                IdSource& ids);
 
 /// Keep (method.md 6.5): takes the parts of dynamic instances that others found again, and never
 /// saw through, out of them and makes them static instances. Parts are connected, have at least
-/// df.keep_min points and are higher than df.keep_height.
-void keepStanding(KeyFrame& frame, const Config& config, const CurvedGrid& grid, IdSource& ids);
+/// df.keep_min points, and are higher than df.keep_height or lie beside what moved.
+/// @param by_point evidenceByPoint(frame)
+void keepStanding(KeyFrame& frame,
+                  const std::vector<PlaceEvidence>& by_point,
+                  const Config& config,
+                  const CurvedGrid& grid,
+                  IdSource& ids);
 
 }  // namespace segdf
