@@ -13,6 +13,7 @@
 #include "segdf/simulation/footprint.hpp"
 #include "segdf/simulation/scene_builder.hpp"
 #include "segdf/simulation/scene_yaml.hpp"
+#include "segdf/simulation/simulator.hpp"
 
 namespace segdf {
 namespace {
@@ -108,6 +109,20 @@ TEST_P(BuiltIn, WhatCanMoveHasAnIdentityOfItsOwn) {
 
 std::string nameOf(const ::testing::TestParamInfo<Seeded>& info) {
   return info.param.scene + "_" + std::to_string(info.param.seed);
+}
+
+// A fifth: even of a VLP-16's pulses, half of which go up, more come back on any street.
+TEST_P(BuiltIn, EverySensorSeesIt) {
+  for (const char* sensor : {"hdl64", "hdl32", "vlp16", "os1_64"}) {
+    SimulationConfig config;
+    config.sensor = sensor;
+    config.seed = GetParam().seed;
+    Simulator simulator(config, scene_, 1);
+    const std::optional<SimulatedScan> scan = simulator.next();
+    ASSERT_TRUE(scan) << sensor;
+    const SensorModel& model = simulator.sensor();
+    EXPECT_GT(scan->scan.points.size(), model.elevations.size() * model.columns / 5) << sensor;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BuiltIn, ::testing::ValuesIn(allScenes()), nameOf);

@@ -163,7 +163,6 @@ class MapViewer {
     if (!this.path) return;
     const box = new THREE.Box3().setFromPoints(this.path.length ? this.path : [new THREE.Vector3()]);
     const center = box.getCenter(new THREE.Vector3());
-    const extent = Math.max(30, box.getSize(new THREE.Vector3()).length());
     const heading = this.path.length > 1 ? this.path[this.path.length - 1].clone().sub(this.path[0]).setZ(0) : new THREE.Vector3(1, 0, 0);
     if (heading.length() < 1) heading.set(1, 0, 0);
     heading.normalize();
@@ -172,21 +171,32 @@ class MapViewer {
       this.orbit.target.copy(start).addScaledVector(heading, 15);
       this.camera.position.copy(start).addScaledVector(heading, -9);
       this.camera.position.z += 4.5;
-    } else if (from === 'above') {
-      // Not quite from above: the controls need a direction that is up. Long drives lie along the wide side.
-      const side = new THREE.Vector3(-heading.y, heading.x, 0);
-      this.orbit.target.copy(center);
-      this.camera.position.copy(center).addScaledVector(side, -0.01 * extent);
-      this.camera.position.z += extent * (this.camera.aspect < 1 ? 1.5 : 0.95) + 15;
     } else {
+      // From above is not quite that: the controls need a direction that is up. Drives lie along the longer side.
       const side = new THREE.Vector3(-heading.y, heading.x, 0);
-      const away = extent * (this.camera.aspect < 1 ? 0.95 : 0.55);
+      const up = this.camera.aspect < 1 ? heading : side;
+      const back = from === 'above' ? up.multiplyScalar(-0.01) : heading.multiplyScalar(-0.55).addScaledVector(side, -0.6);
       this.orbit.target.copy(center);
-      this.camera.position.copy(center).addScaledVector(heading, -0.55 * away).addScaledVector(side, -0.6 * away);
-      this.camera.position.z += 0.62 * away;
+      this.camera.position.copy(center).add(this.fit(center, back.setZ(from === 'above' ? 1 : 0.62).normalize()));
     }
     this.orbit.update();
     this.redraw();
+  }
+
+  // How far along `back` the camera must stand to see all of the way and what lies beside it.
+  fit(center, back) {
+    const beside = 15;
+    const right = new THREE.Vector3(0, 0, 1).cross(back).normalize();
+    const up = back.clone().cross(right);
+    const tall = Math.tan((this.camera.fov * Math.PI) / 360);
+    const wide = tall * this.camera.aspect;
+    let away = 30;
+    for (const place of this.path) {
+      const p = place.clone().sub(center);
+      const half = Math.max((Math.abs(p.dot(right)) + beside) / wide, (Math.abs(p.dot(up)) + beside) / tall);
+      away = Math.max(away, p.dot(back) + half);
+    }
+    return back.clone().multiplyScalar(away);
   }
 
   onKey(event) {
