@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/evaluation/point_grid.hpp"
@@ -40,6 +42,11 @@ std::optional<double> quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(k)];
 }
 
+std::optional<double> mean(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 double azimuthStep(const Point& a, const Point& b) {
   const double before = std::atan2(static_cast<double>(a.y), static_cast<double>(a.x));
   const double after = std::atan2(static_cast<double>(b.y), static_cast<double>(b.x));
@@ -59,6 +66,7 @@ void ScanStatistics::add(const FrameResult& frame, const std::vector<std::uint32
   addPoints(frame, truth);
   addClusters(frame);
   addNeighbours(frame, truth);
+  addLooks(frame, truth);
 }
 
 /// A pulse without return leaves a gap of twice the usual step in its ring.
@@ -129,6 +137,22 @@ void ScanStatistics::addNeighbours(const FrameResult& frame,
   last_pose_ = frame.scan.pose;
 }
 
+/// Of instances of which no point moves by the truth; without truth, of those that the filter
+/// keeps.
+void ScanStatistics::addLooks(const FrameResult& frame, const std::vector<std::uint32_t>& truth) {
+  std::set<std::uint32_t> moving;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (sk::isMoving(sk::classOf(truth[i]))) moving.insert(frame.labels[i].instance);
+  }
+  for (const InstanceObservation& instance : frame.instances) {
+    const bool stands = truth.empty() ? !instance.dynamic : moving.count(instance.id) == 0;
+    if (!stands) continue;
+    for (const Look& look : instance.looks) {
+      free_shares_.push_back(static_cast<double>(look.free) / static_cast<double>(look.seen));
+    }
+  }
+}
+
 std::vector<std::pair<std::string, std::optional<double>>> ScanStatistics::rows() const {
   std::vector<std::pair<std::string, std::optional<double>>> rows;
   const auto add = [&rows](const std::string& name, std::optional<double> value) {
@@ -155,6 +179,9 @@ std::vector<std::pair<std::string, std::optional<double>>> ScanStatistics::rows(
   add("length of a cluster, median, m", quantile(cluster_lengths_, 0.5));
   add("neighbour in the next scan, median, m", quantile(neighbour_distances_, 0.5));
   add("neighbour in the next scan, 90 % quantile, m", quantile(neighbour_distances_, 0.9));
+  add("F of what stands, mean", mean(free_shares_));
+  add("F of what stands, 90 % quantile", quantile(free_shares_, 0.9));
+  add("F of what stands, 99 % quantile", quantile(free_shares_, 0.99));
   for (const auto& [semantic_class, name] : kClasses) {
     for (std::size_t k = 1; k + 2 < kRangeBands; ++k) {
       const auto found = intensity_.find({semantic_class, k});

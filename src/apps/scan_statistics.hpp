@@ -43,6 +43,7 @@ class ScanStatistics {
   void addPoints(const FrameResult& frame, const std::vector<std::uint32_t>& truth);
   void addClusters(const FrameResult& frame);
   void addNeighbours(const FrameResult& frame, const std::vector<std::uint32_t>& truth);
+  void addLooks(const FrameResult& frame, const std::vector<std::uint32_t>& truth);
 
   Mean points_;
   std::array<Mean, kRingGroups> ring_points_;
@@ -55,6 +56,7 @@ class ScanStatistics {
   std::vector<double> cluster_lengths_;                              // metres
   std::map<std::pair<std::uint16_t, std::size_t>, Mean> intensity_;  // by class and range band
   std::vector<double> neighbour_distances_;                          // metres
+  std::vector<double> free_shares_;    // F of what stands, a value for each look of another scan
   std::vector<Eigen::Vector3f> last_;  // points of the scan before, that stand up from the ground
   Pose last_pose_ = Pose::Identity();
 };

@@ -54,10 +54,7 @@ void dropOwnReturns(segdf::Scan& scan, std::vector<std::uint32_t>& truth) {
 
 segdf::apps::ScanStatistics describe(const std::string& drive, const Options& options) {
   segdf::KittiSource source(drive);
-  // Clusters and ground are looked at, not verdicts: the printed algorithm is the quickest.
-  segdf::Config config = segdf::sensorConfig(options.sensor);
-  config.df.mode = segdf::FilterMode::kLiteral;
-  segdf::Pipeline pipeline(config, options.threads);
+  segdf::Pipeline pipeline(segdf::sensorConfig(options.sensor), options.threads);
   segdf::apps::ScanStatistics statistics;
   std::vector<std::vector<std::uint32_t>> truth;
   const auto take = [&](const std::vector<segdf::FrameResult>& frames) {
