@@ -24,8 +24,9 @@ Sizes proofsIn(const Window& window, const DynamicConfig& config) {
   Sizes proofs;
   for (const KeyFrame* frame : window) {
     for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      if (!judgeVotes(frame->evidence->votes[s], config).dynamic) continue;
-      proofs[frame->instances[s].id].push_back(frame->seg.segments[s].box.size);
+      const Segment& segment = frame->seg.segments[s];
+      if (!judgeVotes(frame->evidence->votes[s], segment.object_class, config).dynamic) continue;
+      proofs[frame->instances[s].id].push_back(segment.box.size);
     }
   }
   return proofs;

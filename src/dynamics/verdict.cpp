@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segdf/classification/classifier.hpp"
+
 namespace segdf {
 
 namespace {
 constexpr double kFoundAgain = 0.5;  // share of the points
 }  // namespace
 
-Verdict judgeVotes(const std::vector<PairVote>& votes, const DynamicConfig& config) {
+Verdict judgeVotes(const std::vector<PairVote>& votes,
+                   ObjectClass object_class,
+                   const DynamicConfig& config) {
   Verdict verdict;
   std::uint32_t far = 0;
   double best_far = 0.0;
@@ -28,6 +32,7 @@ Verdict judgeVotes(const std::vector<PairVote>& votes, const DynamicConfig& conf
   const auto least = static_cast<std::uint32_t>(config.votes);
   verdict.needed =
       std::max(least, static_cast<std::uint32_t>(std::ceil(config.vote_share * verdict.pairs)));
+  if (!isTested(object_class)) verdict.needed = std::max(verdict.needed, verdict.static_votes);
   verdict.dynamic = verdict.dynamic_votes >= verdict.needed;
   if (verdict.pairs > 0) verdict.reason = Reason::kVotes;
   if (!verdict.dynamic && far < least && best_far >= config.f_single) {

@@ -84,11 +84,12 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
 
 void VisibilityFilter::judge(KeyFrame& frame) const {
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
-    const Verdict verdict = judgeVotes(frame.evidence->votes[s], config_.df);
+    const Segment& segment = frame.seg.segments[s];
+    const Verdict verdict = judgeVotes(frame.evidence->votes[s], segment.object_class, config_.df);
     Instance& instance = frame.instances[s];
     instance.dynamic = verdict.dynamic;
     if (config_.df.semi_static == SemiStatic::kKeepWhileParked &&
-        isParked(frame.evidence->votes[s], frame.seg.segments[s].points.size(), config_.df)) {
+        isParked(frame.evidence->votes[s], segment.points.size(), config_.df)) {
       instance.dynamic = false;
     }
     instance.dynamic_votes = verdict.dynamic_votes;

@@ -9,8 +9,13 @@ namespace {
 /// A vote with `free` of 100 points seen through, from a frame `seconds` away.
 PairVote vote(std::uint32_t free, float seconds) { return {0, seconds, free, 100 - free, true}; }
 
+Verdict judge(const std::vector<PairVote>& votes,
+              ObjectClass object_class = ObjectClass::kHighMobility) {
+  return judgeVotes(votes, object_class, DynamicConfig{});
+}
+
 TEST(Verdict, NoVotesAreStatic) {
-  const Verdict verdict = judgeVotes({}, DynamicConfig{});
+  const Verdict verdict = judge({});
   EXPECT_FALSE(verdict.dynamic);
   EXPECT_EQ(verdict.pairs, 0U);
 }
@@ -18,9 +23,9 @@ TEST(Verdict, NoVotesAreStatic) {
 TEST(Verdict, ThreeVotesRemoveWhatIsSeenByFifteen) {
   std::vector<PairVote> votes(12, vote(0, 1.0F));
   votes.insert(votes.end(), {vote(30, 1.0F), vote(90, 2.0F)});
-  EXPECT_FALSE(judgeVotes(votes, DynamicConfig{}).dynamic) << "two votes";
+  EXPECT_FALSE(judge(votes).dynamic) << "two votes";
   votes.push_back(vote(40, 3.0F));
-  const Verdict verdict = judgeVotes(votes, DynamicConfig{});
+  const Verdict verdict = judge(votes);
   EXPECT_TRUE(verdict.dynamic);
   EXPECT_EQ(verdict.dynamic_votes, 3U);
   EXPECT_EQ(verdict.static_votes, 12U);
@@ -31,28 +36,37 @@ TEST(Verdict, ThreeVotesRemoveWhatIsSeenByFifteen) {
 TEST(Verdict, TheShareCountsWhereManyPairsSpeak) {
   std::vector<PairVote> votes(17, vote(0, 1.0F));
   votes.insert(votes.end(), 3, vote(90, 1.0F));
-  EXPECT_FALSE(judgeVotes(votes, DynamicConfig{}).dynamic) << "3 of 20, 4 are needed";
+  EXPECT_FALSE(judge(votes).dynamic) << "3 of 20, 4 are needed";
   votes.push_back(vote(90, 1.0F));
-  EXPECT_FALSE(judgeVotes(votes, DynamicConfig{}).dynamic) << "4 of 21, 5 are needed";
+  EXPECT_FALSE(judge(votes).dynamic) << "4 of 21, 5 are needed";
   votes.push_back(vote(90, 1.0F));
-  EXPECT_TRUE(judgeVotes(votes, DynamicConfig{}).dynamic);
+  EXPECT_TRUE(judge(votes).dynamic);
+}
+
+TEST(Verdict, WhatCannotMoveMustBeSeenThroughAsOftenAsFoundAgain) {
+  std::vector<PairVote> votes(6, vote(0, 1.0F));
+  votes.insert(votes.end(), 5, vote(90, 1.0F));
+  EXPECT_TRUE(judge(votes, ObjectClass::kUnknown).dynamic);
+  EXPECT_FALSE(judge(votes, ObjectClass::kBuilding).dynamic) << "5 against 6";
+  votes.push_back(vote(90, 1.0F));
+  EXPECT_TRUE(judge(votes, ObjectClass::kVegetation).dynamic);
 }
 
 TEST(Verdict, PairsThatSayNothingDoNotCount) {
   PairVote little = vote(90, 1.0F);
   little.informative = false;
-  EXPECT_FALSE(judgeVotes({little, little, little, little}, DynamicConfig{}).dynamic);
+  EXPECT_FALSE(judge({little, little, little, little}).dynamic);
 }
 
 TEST(Verdict, AtTheEndOfADriveOneClearLongLookIsEnough) {
   // A slow walker: neighbours hit it, and only one frame is far enough to see through.
   const std::vector<PairVote> votes{vote(0, -0.1F), vote(0, 0.1F), vote(0, 0.2F), vote(85, 0.5F)};
-  EXPECT_TRUE(judgeVotes(votes, DynamicConfig{}).dynamic);
+  EXPECT_TRUE(judge(votes).dynamic);
   const std::vector<PairVote> doubtful{vote(0, -0.1F), vote(0, 0.1F), vote(0, 0.2F),
                                        vote(60, 0.5F)};
-  EXPECT_FALSE(judgeVotes(doubtful, DynamicConfig{}).dynamic);
+  EXPECT_FALSE(judge(doubtful).dynamic);
   const std::vector<PairVote> outvoted{vote(0, -1.0F), vote(0, 1.0F), vote(85, 0.5F)};
-  EXPECT_FALSE(judgeVotes(outvoted, DynamicConfig{}).dynamic) << "three long looks decide by votes";
+  EXPECT_FALSE(judge(outvoted).dynamic) << "three long looks decide by votes";
 }
 
 TEST(Parked, FoundAgainForTheMostPartByThreeDistantFrames) {
