@@ -43,13 +43,13 @@ TEST(Verdict, TheShareCountsWhereManyPairsSpeak) {
   EXPECT_TRUE(judge(votes).dynamic);
 }
 
-TEST(Verdict, WhatCannotMoveMustBeSeenThroughAsOftenAsFoundAgain) {
-  std::vector<PairVote> votes(6, vote(0, 1.0F));
+TEST(Verdict, WhatCannotMoveMustBeSeenThroughHalfAsOftenAsFoundAgain) {
+  std::vector<PairVote> votes(11, vote(0, 1.0F));
   votes.insert(votes.end(), 5, vote(90, 1.0F));
   EXPECT_TRUE(judge(votes, ObjectClass::kUnknown).dynamic);
-  EXPECT_FALSE(judge(votes, ObjectClass::kBuilding).dynamic) << "5 against 6";
+  EXPECT_FALSE(judge(votes, ObjectClass::kBuilding).dynamic) << "5 against 11";
   votes.push_back(vote(90, 1.0F));
-  EXPECT_TRUE(judge(votes, ObjectClass::kVegetation).dynamic);
+  EXPECT_TRUE(judge(votes, ObjectClass::kVegetation).dynamic) << "6 against 11";
 }
 
 TEST(Verdict, PairsThatSayNothingDoNotCount) {
