@@ -75,24 +75,30 @@ std::vector<Eigen::Vector3f> keptPoints(const LabelledDrive& drive) {
   return kept;
 }
 
+bool isJudged(std::uint32_t truth) {
+  return semantic_kitti::classOf(truth) != semantic_kitti::kUnlabelled;
+}
+
 /// Points of a scan that take part in ERASOR's maps, in the map frame; with labels to be scored
 /// only those that they keep if `kept_only`.
-ClassedPoints erasorPoints(const LabelledScan& labelled, bool kept_only) {
+ClassedPoints erasorPoints(const LabelledScan& labelled, bool kept_only, bool judged_only) {
   ClassedPoints points;
   for (std::size_t i = 0; i < labelled.truth.size(); ++i) {
     const Point& point = labelled.scan.points[i];
     if (!VoxelMapBuilder::takes(point.position())) continue;
     if (kept_only && !isKeptLabel(labelled.estimate[i])) continue;
+    if (judged_only && !isJudged(labelled.truth[i])) continue;
     points.add(inMapFrame(labelled.scan.pose, point), semantic_kitti::classOf(labelled.truth[i]));
   }
   return points;
 }
 
-VoxelScores scoreErasor(const LabelledDrive& drive, int threads) {
+VoxelScores scoreErasor(const LabelledDrive& drive, const ProtocolChoice& choice) {
   std::array<VoxelMapBuilder, 2> maps;  // of the truth, and of the points that are kept
   drive.forEach([&](const LabelledScan& labelled) {
-    parallelFor(maps.size(), threads,
-                [&](std::size_t k) { maps[k].add(erasorPoints(labelled, k == 1)); });
+    parallelFor(maps.size(), choice.threads, [&](std::size_t k) {
+      maps[k].add(erasorPoints(labelled, k == 1, choice.judged_only));
+    });
   });
   return compareVoxelMaps(maps[0].finish(), maps[1].finish());
 }
@@ -120,12 +126,24 @@ ClassedPoints classedMap(const LabelledDrive& drive, const MapCloud& map, int th
   return classed;
 }
 
-VoxelScores scoreErasorMap(const LabelledDrive& drive, const MapCloud& map, int threads) {
-  const ClassedPoints estimate =
-      voxelFilter(classedMap(drive, map, threads), VoxelMapBuilder::kLeaf);
+ClassedPoints judgedPoints(const ClassedPoints& all) {
+  ClassedPoints judged;
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    if (isJudged(all.classes[i])) judged.add(all.points[i], all.classes[i]);
+  }
+  return judged;
+}
+
+VoxelScores scoreErasorMap(const LabelledDrive& drive,
+                           const MapCloud& map,
+                           const ProtocolChoice& choice) {
+  ClassedPoints classed = classedMap(drive, map, choice.threads);
+  if (choice.judged_only) classed = judgedPoints(classed);
+  const ClassedPoints estimate = voxelFilter(classed, VoxelMapBuilder::kLeaf);
   VoxelMapBuilder truth;
-  drive.forEach(
-      [&truth](const LabelledScan& labelled) { truth.add(erasorPoints(labelled, false)); });
+  drive.forEach([&](const LabelledScan& labelled) {
+    truth.add(erasorPoints(labelled, false, choice.judged_only));
+  });
   return compareVoxelMaps(truth.finish(), estimate);
 }
 
@@ -171,6 +189,7 @@ DriveScores blankScores(const LabelledDrive& drive, const ProtocolChoice& choice
   scores.scans = drive.size();
   scores.range = choice.range;
   scores.draft_spacing = choice.spacing;
+  scores.judged_only = choice.judged_only;
   return scores;
 }
 
@@ -180,7 +199,7 @@ DriveScores scoreLabels(const LabelledDrive& drive, const ProtocolChoice& choice
   DriveScores scores = blankScores(drive, choice);
   if (choice.index) scores.index = scoreByIndex(drive, choice.range);
   if (choice.draft) scores.draft = collectDraft(drive, choice, scores.draft_scans).score();
-  if (choice.erasor) scores.erasor = scoreErasor(drive, choice.threads);
+  if (choice.erasor) scores.erasor = scoreErasor(drive, choice);
   if (choice.map) scores.map = scoreByMap(drive, keptPoints(drive), choice);
   return scores;
 }
@@ -193,7 +212,7 @@ DriveScores scoreMap(const LabelledDrive& drive,
   if (choice.draft) {
     scores.draft = collectDraft(drive, choice, scores.draft_scans).score(map.points);
   }
-  if (choice.erasor) scores.erasor = scoreErasorMap(drive, map, choice.threads);
+  if (choice.erasor) scores.erasor = scoreErasorMap(drive, map, choice);
   if (choice.map) scores.map = scoreByMap(drive, map.points, choice);
   return scores;
 }

@@ -19,7 +19,10 @@ struct ProtocolChoice {
   bool map = false;      ///< DynamicMap benchmark
   double range = 50.0;   ///< metres
   double spacing = 2.0;  ///< of the draft's scans, metres
-  int threads = 1;       ///< same figures with any
+  /// ERASOR without points of class 0: labels made from boxes of one camera's view say so of all
+  /// that was not looked at, what moves there included.
+  bool judged_only = false;
+  int threads = 1;  ///< same figures with any
 };
 
 /// Scores the labels of a drive. @throws IoError

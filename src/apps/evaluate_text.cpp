@@ -73,9 +73,10 @@ void printDraft(std::ostream& out, const DriveScores& scores) {
       << percentText(draft.rejected_dynamic.percent()) << '\n';
 }
 
-void printErasor(std::ostream& out, const VoxelScores& erasor) {
-  out << "ERASOR, voxel-wise at 0.2 m, " << erasor.preserved.whole << " static and "
-      << erasor.remaining_dynamic.whole << " dynamic voxels\n"
+void printErasor(std::ostream& out, const VoxelScores& erasor, bool judged_only) {
+  out << "ERASOR, voxel-wise at 0.2 m, " << (judged_only ? "judged points only, " : "")
+      << erasor.preserved.whole << " static and " << erasor.remaining_dynamic.whole
+      << " dynamic voxels\n"
       << "PR " << percentText(erasor.preservationRate()) << "  RR "
       << percentText(erasor.rejectionRate()) << "  F1 " << fixed(erasor.f1(), 4) << '\n';
 }
@@ -89,7 +90,7 @@ void printScores(std::ostream& out, const DriveScores& scores) {
     printDetails(out, *scores.index);
   }
   if (scores.draft) printDraft(out, scores);
-  if (scores.erasor) printErasor(out, *scores.erasor);
+  if (scores.erasor) printErasor(out, *scores.erasor, scores.judged_only);
   if (!scores.map) return;
   out << "DynamicMap, nearest map point within 0.05 m, " << scores.map->scoredPoints()
       << " points scored\n";

@@ -67,6 +67,8 @@ void addOptions(CLI::App& app, Options& options) {
       ->expected(6);
   app.add_option("--map-labels", options.map_labels,
                  "field of the map with truth labels for erasor (default: from the nearest truth)");
+  app.add_flag("--judged-only", options.choice.judged_only,
+               "erasor without points of class 0, which it else takes for static");
   app.add_option("--threads", options.choice.threads,
                  "worker threads (default 1); same figures with any")
       ->check(CLI::Range(1, 256));

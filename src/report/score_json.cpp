@@ -78,8 +78,9 @@ Json draftJson(const DriveScores& scores) {
           {"dynamic_rejected", number(draft.rejected_dynamic.percent())}};
 }
 
-Json erasorJson(const VoxelScores& erasor) {
+Json erasorJson(const VoxelScores& erasor, bool judged_only) {
   return {{"protocol", "ERASOR, voxel-wise at 0.2 m"},
+          {"judged_only", judged_only},
           {"PR", number(erasor.preservationRate())},
           {"RR", number(erasor.rejectionRate())},
           {"F1", number(erasor.f1())},
@@ -96,7 +97,7 @@ nlohmann::ordered_json toJson(const DriveScores& scores) {
   json["scans"] = scores.scans;
   json["range_m"] = scores.range;
   if (scores.draft) json["draft"] = draftJson(scores);
-  if (scores.erasor) json["erasor"] = erasorJson(*scores.erasor);
+  if (scores.erasor) json["erasor"] = erasorJson(*scores.erasor, scores.judged_only);
   if (scores.map) addPointScores(json["dynamicmap"], *scores.map, "DynamicMap, 0.05 m");
   return json;
 }

@@ -90,6 +90,20 @@ TEST_F(Evaluate, EveryProtocolIsNamed) {
   EXPECT_TRUE(contains(one.out, "PR 100.00  RR 0.00  F1 0.0000")) << "nothing was removed";
 }
 
+TEST_F(Evaluate, PointsThatNobodyJudgedCountForErasorUnlessLeftOut) {
+  std::vector<std::uint32_t> labels = readLabels(drive() / "labels" / "000000.label");
+  const auto voxels = [&](const std::string& arguments) {
+    const Json erasor = jsonOf(arguments + " --protocol erasor")["erasor"];
+    return erasor["static_voxels"].get<int>();
+  };
+  const std::string own = "--labels " + (drive() / "labels").string();
+  const int before = voxels(own);
+  EXPECT_EQ(voxels(own + " --judged-only"), before) << "the simulator judges every point";
+  std::fill(labels.begin(), labels.end(), 0U);
+  writeLabels(drive() / "labels" / "000000.label", labels);
+  EXPECT_GT(voxels(own), voxels(own + " --judged-only")) << "the first scan is judged no more";
+}
+
 TEST_F(Evaluate, LabelsByIndexAndTheSameResultAsAMapAgree) {
   ASSERT_EQ(offlineOnDrive().status, 0);
   const std::string labels = "--labels " + (result() / "labels").string();

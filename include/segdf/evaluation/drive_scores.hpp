@@ -20,6 +20,7 @@ struct DriveScores {
   double draft_spacing = 0.0;   ///< at least so far apart, metres
   std::optional<PointScores> index;
   std::optional<DraftScores> draft;
+  bool judged_only = false;  ///< ERASOR's without points of class 0, which it takes for static
   std::optional<VoxelScores> erasor;
   std::optional<PointScores> map;  ///< DynamicMap benchmark
 };

@@ -33,7 +33,7 @@
     const m = scores.dynamicmap;
     if (m) add('DynamicMap', `${whole(m.points)} points within ${scores.range_m} m; kept if the map has a point within 0.05 m`, [['SA', percent(m.SA)], ['DA', percent(m.DA)], ['AA', percent(m.AA)]]);
     const e = scores.erasor;
-    if (e) add('ERASOR', `${whole(e.static_voxels)} static and ${whole(e.dynamic_voxels)} dynamic voxels of 0.2 m`, [['PR', percent(e.PR)], ['RR', percent(e.RR)], ['F1', f1(e.F1)]]);
+    if (e) add('ERASOR', `${whole(e.static_voxels)} static and ${whole(e.dynamic_voxels)} dynamic voxels of 0.2 m${e.judged_only ? ', judged points only' : ''}`, [['PR', percent(e.PR)], ['RR', percent(e.RR)], ['F1', f1(e.F1)]]);
     const d = scores.draft;
     if (d) add('Draft, section IV', `${d.scans} scans every ${d.spacing_m} m, voxels of 0.05 m: TP ${whole(d.TP)}, FP ${whole(d.FP)}, TN ${whole(d.TN)}, FN ${whole(d.FN)}; ${percent(d.dynamic_rejected)} % of the dynamic points rejected`, [['R', percent(d.recall)], ['P', percent(d.precision)], ['F1', f1(d.F1)]]);
     $('protocols').innerHTML = table(['Protocol', 'Keeps', 'Rejects', 'Mean'], rows);
