@@ -37,11 +37,15 @@ std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
   return order;
 }
 
-/// Adds one voxel: as one place, or as one for each of its points.
-void addVoxel(const KeyFrame& frame, std::uint32_t v, bool whole, FrameEvidence& evidence) {
-  const CurvedVoxels& voxels = frame.seg.voxels;
+/// Adds one voxel: as one place, or as one for each of its points. @param places the points that
+/// stand for places
+void addVoxel(const CurvedVoxels& voxels,
+              std::uint32_t v,
+              bool whole,
+              std::vector<std::uint32_t>& places,
+              FrameEvidence& evidence) {
   const auto place = [&](std::uint32_t point) {
-    evidence.places.push_back(frame.scan.points[point].position());
+    places.push_back(point);
     evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
   };
   if (whole) place(voxels.points[(voxels.begin[v] + voxels.begin[v + 1]) / 2]);
@@ -51,21 +55,31 @@ void addVoxel(const KeyFrame& frame, std::uint32_t v, bool whole, FrameEvidence&
   }
 }
 
+Eigen::MatrixX3f positionsOf(const std::vector<std::uint32_t>& points, const Scan& scan) {
+  Eigen::MatrixX3f positions(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    positions.row(static_cast<Eigen::Index>(k)) = scan.points[points[k]].position();
+  }
+  return positions;
+}
+
 void listPlaces(const KeyFrame& frame, FrameEvidence& evidence) {
   std::vector<std::uint32_t> begin;
   const std::vector<std::uint32_t> order = voxelsBySegment(frame, begin);
+  std::vector<std::uint32_t> places;
   for (std::size_t group = 0; group + 1 < begin.size(); ++group) {
-    evidence.begin.push_back(static_cast<std::uint32_t>(evidence.places.size()));
+    evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
     const bool segment = group < frame.seg.segments.size();
     const bool whole = segment && frame.seg.segments[group].points.size() > kLarge &&
                        !isTested(frame.seg.segments[group].object_class);
     for (std::uint32_t k = begin[group]; k < begin[group + 1]; ++k) {
-      addVoxel(frame, order[k], whole, evidence);
+      addVoxel(frame.seg.voxels, order[k], whole, places, evidence);
     }
   }
-  evidence.begin.push_back(static_cast<std::uint32_t>(evidence.places.size()));
+  evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
   evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
-  evidence.answers.resize(evidence.places.size());
+  evidence.places = positionsOf(places, frame.scan);
+  evidence.answers.resize(places.size());
 }
 
 }  // namespace
@@ -94,7 +108,7 @@ FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame) {
   const FrameEvidence& evidence = *frame.evidence;
   std::vector<PlaceEvidence> by_point(frame.scan.points.size());
-  for (std::size_t k = 0; k < evidence.places.size(); ++k) {
+  for (std::size_t k = 0; k < evidence.answers.size(); ++k) {
     for (std::uint32_t p = evidence.first[k]; p < evidence.first[k + 1]; ++p) {
       by_point[evidence.listed[p]] = evidence.answers[k];
     }
@@ -108,17 +122,20 @@ void gatherEvidence(KeyFrame& frame,
                     const DynamicConfig& config,
                     int threads) {
   FrameEvidence& evidence = *frame.evidence;
-  const Eigen::Matrix3f rotation = other_T_frame.linear().cast<float>();
-  const Eigen::Vector3f translation = other_T_frame.translation().cast<float>();
+  const Eigen::Isometry3f image_T_frame = other_T_frame.cast<float>();
   const double seconds = other.evidence->time - evidence.time;
   const bool late = isFarInTime(seconds, config);
   const auto look = [&](std::size_t group) {
     PairVote vote;
     vote.scan = other.index;
     vote.seconds = static_cast<float>(seconds);
-    for (std::uint32_t k = evidence.begin[group]; k < evidence.begin[group + 1]; ++k) {
-      const Eigen::Vector3f place = rotation * evidence.places[k] + translation;
-      const VolumetricState state = other.evidence->image.stateOf(place);
+    const std::uint32_t begin = evidence.begin[group];
+    const std::uint32_t end = evidence.begin[group + 1];
+    std::vector<VolumetricState> states(end - begin);
+    other.evidence->image.look(evidence.places.middleRows(begin, end - begin), image_T_frame,
+                               states.data());
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const VolumetricState state = states[k - begin];
       const std::uint32_t points = evidence.first[k + 1] - evidence.first[k];
       if (state == VolumetricState::kFree) {
         increment(evidence.answers[k].free);

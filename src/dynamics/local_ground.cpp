@@ -2,6 +2,7 @@
 #include "segdf/dynamics/local_ground.hpp"
 
 #include <cstddef>
+#include <cstdint>
 
 #include <Eigen/Cholesky>
 
@@ -24,15 +25,17 @@ constexpr double kNear = 2.0;
 
 }  // namespace
 
-LocalGround::LocalGround(const KeyFrame& frame, const Eigen::AlignedBox2f& area) : frame_(frame) {
+LocalGround::LocalGround(const KeyFrame& frame,
+                         const AreaIndex& places,
+                         const Eigen::AlignedBox2f& area)
+    : frame_(frame) {
   Eigen::AlignedBox2f around = area;
   around.min().array() -= kReach;
   around.max().array() += kReach;
   std::vector<Eigen::Vector3f> ground;
-  for (std::size_t i = 0; i < frame.scan.points.size(); ++i) {
+  for (std::uint32_t i : places.pointsIn(around)) {
     if (frame.seg.roles[i] != PointRole::kGround) continue;
-    const Eigen::Vector3f x = frame.scan.points[i].position();
-    if (around.contains(x.head<2>())) ground.push_back(x);
+    ground.push_back(frame.scan.points[i].position());
   }
   if (ground.size() >= kMinPoints) fit(ground, area);
 }

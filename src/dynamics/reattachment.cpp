@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "segdf/dynamics/area_index.hpp"
 #include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/footprint.hpp"
 #include "segdf/dynamics/local_ground.hpp"
@@ -42,11 +43,14 @@ std::vector<Eigen::Vector2f> upperPoints(const KeyFrame& frame,
 /// A removed instance and the ground that it stands on.
 class Standing {
  public:
-  Standing(const KeyFrame& frame, const Segment& segment, const DynamicConfig& config)
+  Standing(const KeyFrame& frame,
+           const AreaIndex& places,
+           const Segment& segment,
+           const DynamicConfig& config)
       : frame_(frame),
         top_(static_cast<float>(config.foot_height)),
         bottom_(static_cast<float>(config.foot_bottom)),
-        ground_(frame, areaOf(segment)),
+        ground_(frame, places, areaOf(segment)),
         footprint_(upperPoints(frame, segment, ground_, top_),
                    static_cast<float>(config.foot_margin)) {}
 
@@ -57,6 +61,8 @@ class Standing {
   }
   /// True for a point of the object that was taken for ground.
   bool isFoot(std::uint32_t i) const { return ground_.heightOf(i) >= bottom_ && isUnder(i); }
+  /// What isUnder can be true for.
+  const Eigen::AlignedBox2f& area() const { return footprint_.bounds(); }
 
  private:
   bool isUnder(std::uint32_t i) const {
@@ -111,17 +117,14 @@ void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
 
 void settleGround(KeyFrame& frame, const DynamicConfig& config) {
   const std::vector<std::uint8_t> may_be_foot = groundAndLoosePoints(frame);
-  std::vector<std::uint8_t> is_foot(frame.scan.points.size(), 0);
+  const AreaIndex places(frame.scan.points, frame.seg.roles);
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     if (!frame.instances[s].dynamic) continue;
-    const Standing standing(frame, frame.seg.segments[s], config);
-    for (std::uint32_t i = 0; i < is_foot.size(); ++i) {
-      if (may_be_foot[i] != 0 && standing.isFoot(i)) is_foot[i] = 1;
+    const Standing standing(frame, places, frame.seg.segments[s], config);
+    for (std::uint32_t i : places.pointsIn(standing.area())) {
+      if (may_be_foot[i] != 0 && standing.isFoot(i)) frame.removed.push_back(i);
     }
     releaseGround(frame, frame.seg.segments[s], standing);
-  }
-  for (std::uint32_t i = 0; i < is_foot.size(); ++i) {
-    if (is_foot[i] != 0) frame.removed.push_back(i);
   }
   std::sort(frame.removed.begin(), frame.removed.end());
   frame.removed.erase(std::unique(frame.removed.begin(), frame.removed.end()), frame.removed.end());

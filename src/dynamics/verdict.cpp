@@ -32,7 +32,8 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
   const auto least = static_cast<std::uint32_t>(config.votes);
   verdict.needed =
       std::max(least, static_cast<std::uint32_t>(std::ceil(config.vote_share * verdict.pairs)));
-  if (!isTested(object_class)) verdict.needed = std::max(verdict.needed, (verdict.static_votes + 1) / 2);
+  if (!isTested(object_class))
+    verdict.needed = std::max(verdict.needed, (verdict.static_votes + 1) / 2);
   verdict.dynamic = verdict.dynamic_votes >= verdict.needed;
   if (verdict.pairs > 0) verdict.reason = Reason::kVotes;
   if (!verdict.dynamic && far < least && best_far >= config.f_single) {

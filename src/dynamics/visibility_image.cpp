@@ -22,11 +22,6 @@ constexpr int kEnoughBins = 3;            // that are not empty, for FREE beside
 
 float horizontal(const Eigen::Vector3f& x) { return std::sqrt(x.x() * x.x() + x.y() * x.y()); }
 
-/// Angle of (x, y), rad, in [-pi, pi].
-float angleOf(float y, float x) {
-  return static_cast<float>(arcTangent2(static_cast<double>(y), static_cast<double>(x)));
-}
-
 int centimetres(float metres) {
   return static_cast<int>(std::lround(100.0F * std::min(metres, kFarthestRange)));
 }
@@ -42,18 +37,16 @@ VisibilityImage::VisibilityImage(const std::vector<Point>& points,
       row_step_(static_cast<float>(config.dtheta_v) * kRadians) {
   columns_ = static_cast<int>(std::lround(360.0 / config.dphi_v));
   column_step_ = 2.0F * kPi / static_cast<float>(columns_);
-  pad_ = std::min(windowAt(kNearestPlace).columns, columns_ - 1);
+  pad_ =
+      std::min(static_cast<int>(std::ceil(margin_ / kNearestPlace / column_step_)), columns_ - 1);
   stride_ = columns_ + 2 * pad_;
   fill(points, roles);
   prepareMinima();
 }
 
-VisibilityImage::Window VisibilityImage::windowAt(float range) const {
-  Window window;
-  window.columns = std::max(1, static_cast<int>(std::ceil(margin_ / range / column_step_)));
-  window.rows =
-      static_cast<int>(std::ceil(static_cast<float>(window.columns) * column_step_ / row_step_));
-  return window;
+VisibilityImage::Window VisibilityImage::windowOf(int columns) const {
+  const float across = static_cast<float>(columns) * column_step_;
+  return {static_cast<int>(std::ceil(across / row_step_)), columns};
 }
 
 void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<PointRole>& roles) {
@@ -62,7 +55,7 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   lowest_ = kPi;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    elevations[i] = angleOf(points[i].z, horizontal(points[i].position()));
+    elevations[i] = arcTangent2(points[i].z, horizontal(points[i].position()));
     lowest_ = std::min(lowest_, elevations[i]);
     highest = std::max(highest, elevations[i]);
   }
@@ -75,7 +68,7 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
     const Point& p = points[i];
     const int row = static_cast<int>((elevations[i] - lowest_) / row_step_);
     const int column =
-        std::min(static_cast<int>((angleOf(p.y, p.x) + kPi) / column_step_), columns_ - 1);
+        std::min(static_cast<int>((arcTangent2(p.y, p.x) + kPi) / column_step_), columns_ - 1);
     const auto range = static_cast<Centimetres>(centimetres(p.position().norm()));
     const std::size_t bin = index(std::min(row, rows_ - 1), column);
     nearest_[bin] = std::min(nearest_[bin], range);
@@ -93,11 +86,7 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
 
 void VisibilityImage::prepareMinima() {
   for (int level = 0; level < kLevels; ++level) {
-    Window window;
-    window.columns = level + 1;
-    window.rows =
-        static_cast<int>(std::ceil(static_cast<float>(window.columns) * column_step_ / row_step_));
-    minima_[static_cast<std::size_t>(level)] = minima(window);
+    minima_[static_cast<std::size_t>(level)] = minima(windowOf(level + 1));
   }
 }
 
@@ -126,44 +115,80 @@ std::vector<VisibilityImage::Centimetres> VisibilityImage::minima(const Window& 
   return result;
 }
 
-VolumetricState VisibilityImage::stateOf(const Eigen::Vector3f& place) const {
-  const float range = place.norm();
-  if (!(range >= kNearestPlace && range <= kFarthestPlace) || rows_ == 0) {
+void VisibilityImage::look(const Eigen::Ref<const Eigen::MatrixX3f>& places,
+                           const Eigen::Isometry3f& image_T_places,
+                           VolumetricState* states) const {
+  for (Eigen::Index first = 0; first < places.rows(); first += kBlock) {
+    const Eigen::Index count = std::min<Eigen::Index>(kBlock, places.rows() - first);
+    const Block block = project(places.middleRows(first, count), image_T_places);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      states[first + k] = stateOf(block, static_cast<std::size_t>(k));
+    }
+  }
+}
+
+VisibilityImage::Block VisibilityImage::project(const Eigen::Ref<const Eigen::MatrixX3f>& places,
+                                                const Eigen::Isometry3f& image_T_places) const {
+  const Eigen::Matrix3f r = image_T_places.linear();
+  const Eigen::Vector3f t = image_T_places.translation();
+  const float* px = places.col(0).data();
+  const float* py = places.col(1).data();
+  const float* pz = places.col(2).data();
+  Block block;
+  const auto count = static_cast<std::size_t>(places.rows());
+  for (std::size_t k = 0; k < count; ++k) {
+    const float x = r(0, 0) * px[k] + r(0, 1) * py[k] + r(0, 2) * pz[k] + t.x();
+    const float y = r(1, 0) * px[k] + r(1, 1) * py[k] + r(1, 2) * pz[k] + t.y();
+    const float z = r(2, 0) * px[k] + r(2, 1) * py[k] + r(2, 2) * pz[k] + t.z();
+    const float squared = x * x + y * y;
+    const float range = std::sqrt(squared + z * z);
+    block.range[k] = range;
+    block.row[k] = (arcTangent2(z, std::sqrt(squared)) - lowest_) / row_step_;
+    block.column[k] = (arcTangent2(y, x) + kPi) / column_step_;
+    block.margin[k] = margin_ / range / column_step_;
+  }
+  return block;
+}
+
+VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) const {
+  const float range = block.range[k];
+  if (!(range >= kNearestPlace && range <= kFarthestPlace)) return VolumetricState::kUnknown;
+  if (!(block.row[k] >= 0.0F && block.row[k] < static_cast<float>(rows_))) {
     return VolumetricState::kUnknown;
   }
-  const float from_lowest = (angleOf(place.z(), horizontal(place)) - lowest_) / row_step_;
-  const int row = static_cast<int>(std::floor(from_lowest));
-  if (row < 0 || row >= rows_) return VolumetricState::kUnknown;
-  const int column = std::min(
-      static_cast<int>((angleOf(place.y(), place.x()) + kPi) / column_step_), columns_ - 1);
+  const Bin bin{static_cast<int>(block.row[k]),
+                std::min(static_cast<int>(block.column[k]), columns_ - 1)};
   const float tolerance = std::max(tau_, tau_ratio_ * range);
   const int near = centimetres(range - tolerance);
   const int far = centimetres(range + tolerance);
 
-  const std::size_t bin = index(row, column);
+  const std::size_t own = index(bin.row, bin.column);
   const auto within = [near, far](Centimetres value) { return value >= near && value <= far; };
-  if (within(nearest_[bin]) || within(farthest_[bin])) return VolumetricState::kHit;
-  const Window window = windowAt(range);
-  if (window.columns <= kLevels) {
+  if (within(nearest_[own]) || within(farthest_[own])) return VolumetricState::kHit;
+  const int columns = std::max(1, static_cast<int>(std::ceil(block.margin[k])));
+  if (columns <= kLevels) {
     // Nearly all answers are found here: nothing around begins before the place, or nothing is
     // around.
-    const Centimetres least = minima_[static_cast<std::size_t>(window.columns - 1)][bin];
+    const Centimetres least = minima_[static_cast<std::size_t>(columns - 1)][own];
     if (least == kEmpty) return VolumetricState::kUnknown;
-    if (least > far && nearest_[bin] != kEmpty) return VolumetricState::kFree;
+    if (least > far && nearest_[own] != kEmpty) return VolumetricState::kFree;
   }
-  return search(row, column, window, near, far);
+  return search(bin, windowOf(columns), near, far);
 }
 
-VolumetricState VisibilityImage::search(
-    int row, int column, const Window& window, int near, int far) const {
+VolumetricState VisibilityImage::search(const Bin& bin,
+                                        const Window& window,
+                                        int near,
+                                        int far) const {
   int seen = 0;
   int behind = 0;
   int before = 0;
-  for (int r = std::max(0, row - window.rows); r <= std::min(rows_ - 1, row + window.rows); ++r) {
-    for (int c = column - window.columns; c <= column + window.columns; ++c) {
-      const std::size_t bin = index(r, c);
-      const int nearest = nearest_[bin];
-      const int farthest = farthest_[bin];
+  const int last = std::min(rows_ - 1, bin.row + window.rows);
+  for (int row = std::max(0, bin.row - window.rows); row <= last; ++row) {
+    for (int c = bin.column - window.columns; c <= bin.column + window.columns; ++c) {
+      const std::size_t at = index(row, c);
+      const int nearest = nearest_[at];
+      const int farthest = farthest_[at];
       if (nearest == kEmpty) continue;
       if ((nearest >= near && nearest <= far) || (farthest >= near && farthest <= far)) {
         return VolumetricState::kHit;
@@ -173,7 +198,7 @@ VolumetricState VisibilityImage::search(
       before += nearest < near ? 1 : 0;
     }
   }
-  const bool own = nearest_[index(row, column)] != kEmpty;
+  const bool own = nearest_[index(bin.row, bin.column)] != kEmpty;
   if (seen > 0 && behind == seen && (own || seen >= kEnoughBins)) return VolumetricState::kFree;
   if (seen > 0 && 2 * before >= seen) return VolumetricState::kOccluded;
   return VolumetricState::kUnknown;

@@ -14,6 +14,12 @@ VisibilityImage imageOf(const Scan& scan, const DynamicConfig& config = {}) {
   return {scan.points, std::vector<PointRole>(scan.points.size(), PointRole::kObject), config};
 }
 
+VolumetricState stateIn(const VisibilityImage& image, const Eigen::Vector3f& place) {
+  VolumetricState state{};
+  image.look(Eigen::MatrixX3f(place.transpose()), Eigen::Isometry3f::Identity(), &state);
+  return state;
+}
+
 /// A wall 4 m high across the x axis, 20 m ahead, and nothing else but the ground.
 Scan wallAhead() {
   test::BoxWorld world;
@@ -24,19 +30,19 @@ Scan wallAhead() {
 TEST(VisibilityImage, APlaceIsFreeBeforeAWallHitAtItAndOccludedBehind) {
   const VisibilityImage image = imageOf(wallAhead());
   // The sensor is 1.73 m above the ground: 1 m above it is z = -0.73.
-  EXPECT_EQ(image.stateOf({10.0F, 0.0F, -0.73F}), VolumetricState::kFree);
-  EXPECT_EQ(image.stateOf({20.0F, 1.0F, -0.5F}), VolumetricState::kHit);
-  EXPECT_EQ(image.stateOf({30.0F, 0.0F, -0.73F}), VolumetricState::kOccluded);
+  EXPECT_EQ(stateIn(image, {10.0F, 0.0F, -0.73F}), VolumetricState::kFree);
+  EXPECT_EQ(stateIn(image, {20.0F, 1.0F, -0.5F}), VolumetricState::kHit);
+  EXPECT_EQ(stateIn(image, {30.0F, 0.0F, -0.73F}), VolumetricState::kOccluded);
 }
 
 TEST(VisibilityImage, WhereNoRayReturnedNothingIsKnown) {
   const VisibilityImage image = imageOf(wallAhead());
-  EXPECT_EQ(image.stateOf({-30.0F, 0.0F, 1.0F}), VolumetricState::kUnknown) << "open sky behind";
-  EXPECT_EQ(image.stateOf({0.5F, 0.0F, -0.5F}), VolumetricState::kUnknown) << "at the sensor";
-  EXPECT_EQ(image.stateOf({80.0F, 0.0F, 0.0F}), VolumetricState::kUnknown) << "too far";
-  EXPECT_EQ(image.stateOf({5.0F, 0.0F, 5.0F}), VolumetricState::kUnknown) << "above the lasers";
+  EXPECT_EQ(stateIn(image, {-30.0F, 0.0F, 1.0F}), VolumetricState::kUnknown) << "open sky behind";
+  EXPECT_EQ(stateIn(image, {0.5F, 0.0F, -0.5F}), VolumetricState::kUnknown) << "at the sensor";
+  EXPECT_EQ(stateIn(image, {80.0F, 0.0F, 0.0F}), VolumetricState::kUnknown) << "too far";
+  EXPECT_EQ(stateIn(image, {5.0F, 0.0F, 5.0F}), VolumetricState::kUnknown) << "above the lasers";
   const VisibilityImage nothing = imageOf(Scan{});
-  EXPECT_EQ(nothing.stateOf({10.0F, 0.0F, 0.0F}), VolumetricState::kUnknown);
+  EXPECT_EQ(stateIn(nothing, {10.0F, 0.0F, 0.0F}), VolumetricState::kUnknown);
 }
 
 TEST(VisibilityImage, NothingOfAScanIsFreeInItsOwnImage) {
@@ -47,7 +53,7 @@ TEST(VisibilityImage, NothingOfAScanIsFreeInItsOwnImage) {
   for (const Point& p : scan.points) {
     const float range = p.position().norm();
     if (range < 1.5F || range > 59.0F) continue;
-    ASSERT_EQ(image.stateOf(p.position()), VolumetricState::kHit) << p.position().transpose();
+    ASSERT_EQ(stateIn(image, p.position()), VolumetricState::kHit) << p.position().transpose();
   }
 }
 
@@ -57,8 +63,8 @@ TEST(VisibilityImage, TheToleranceGrowsWithTheRange) {
   config.tau_ratio = 0.02;
   const VisibilityImage image = imageOf(wallAhead(), config);
   // 2 % of 20 m is 0.4 m.
-  EXPECT_EQ(image.stateOf({19.7F, 0.0F, 0.0F}), VolumetricState::kHit);
-  EXPECT_EQ(image.stateOf({19.4F, 0.0F, 0.0F}), VolumetricState::kFree);
+  EXPECT_EQ(stateIn(image, {19.7F, 0.0F, 0.0F}), VolumetricState::kHit);
+  EXPECT_EQ(stateIn(image, {19.4F, 0.0F, 0.0F}), VolumetricState::kFree);
 }
 
 TEST(VisibilityImage, AnAnswerDoesNotDependOnWhereTheAzimuthBegins) {
@@ -78,7 +84,7 @@ TEST(VisibilityImage, AnAnswerDoesNotDependOnWhereTheAzimuthBegins) {
   for (const Point& p : scan.points) {
     const Eigen::Vector3f nearer = 0.7F * p.position();
     ++compared;
-    different += image.stateOf(nearer) != turned_image.stateOf(turn * nearer) ? 1 : 0;
+    different += stateIn(image, nearer) != stateIn(turned_image, turn * nearer) ? 1 : 0;
   }
   // Points on the border of two bins may change sides by rounding.
   EXPECT_LT(static_cast<double>(different), 0.01 * static_cast<double>(compared));

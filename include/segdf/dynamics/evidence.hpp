@@ -43,10 +43,11 @@ struct FrameEvidence {
   PlaneMap planes;
   std::vector<Eigen::Vector3f> registration_points;
 
-  /// Places to look for in other frames: every point of a segment that can move, and of what is in
-  /// no segment; of large segments (buildings, crowns) one point for each curved voxel. Those of
-  /// segment s are [begin[s], begin[s + 1]), those in no segment come last.
-  std::vector<Eigen::Vector3f> places;
+  /// Places to look for in other frames, a row each, sensor frame, metres: every point of a segment
+  /// that can move, and of what is in no segment; of large segments (buildings, crowns) one point
+  /// for each curved voxel. Those of segment s are [begin[s], begin[s + 1]), those in no segment
+  /// come last.
+  Eigen::MatrixX3f places;
   std::vector<std::uint32_t> begin;
   /// The points that a place stands for: listed[first[k]] .. listed[first[k + 1] - 1].
   std::vector<std::uint32_t> first;

@@ -16,6 +16,9 @@ class Footprint {
   /// True inside the hull and up to the margin outside of it.
   bool contains(const Eigen::Vector2f& place) const;
 
+  /// Holds every place that the footprint contains.
+  const Eigen::AlignedBox2f& bounds() const { return bounds_; }
+
  private:
   std::vector<Eigen::Vector2f> hull_;  ///< corners, counter-clockwise
   float margin_;

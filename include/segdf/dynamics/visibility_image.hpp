@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "segdf/core/config.hpp"
 #include "segdf/core/scan.hpp"
@@ -32,27 +32,47 @@ class VisibilityImage {
                   const std::vector<PointRole>& roles,
                   const DynamicConfig& config);
 
-  /// State of a place in the sensor frame of this scan, metres.
-  /// HIT when a bin within the margin df.margin has its nearest or farthest return within the
-  /// tolerance max(df.tau, df.tau_ratio r) of range r; FREE when every non-empty bin there begins
-  /// behind the tolerance; OCCLUDED when at least half of them begin before it.
-  VolumetricState stateOf(const Eigen::Vector3f& place) const;
+  /// States of places. @param places in any frame, metres. @param image_T_places takes them into
+  /// the sensor frame of this scan. @param states as many as places HIT when a bin within the
+  /// margin df.margin has its nearest or farthest return within the tolerance max(df.tau,
+  /// df.tau_ratio r) of range r; FREE when every non-empty bin there begins behind the tolerance;
+  /// OCCLUDED when at least half of them begin before it.
+  void look(const Eigen::Ref<const Eigen::MatrixX3f>& places,
+            const Eigen::Isometry3f& image_T_places,
+            VolumetricState* states) const;
 
  private:
   using Centimetres = std::int16_t;
   /// Margins of up to this many columns have their minima prepared.
   static constexpr int kLevels = 4;
 
+  /// Places that are worked on together.
+  static constexpr int kBlock = 64;
+  /// Where places of a block lie, in bins from the corner of the image; the half width of their
+  /// margins in bins; their ranges, metres.
+  struct Block {
+    std::array<float, kBlock> row;
+    std::array<float, kBlock> column;
+    std::array<float, kBlock> margin;
+    std::array<float, kBlock> range;
+  };
+  struct Bin {
+    int row = 0;
+    int column = 0;
+  };
   struct Window {
     int rows = 0;     ///< half, in bins
     int columns = 0;  ///< half, in bins
   };
 
-  Window windowAt(float range) const;
+  Block project(const Eigen::Ref<const Eigen::MatrixX3f>& places,
+                const Eigen::Isometry3f& image_T_places) const;
+  VolumetricState stateOf(const Block& block, std::size_t k) const;
+  Window windowOf(int columns) const;
   void fill(const std::vector<Point>& points, const std::vector<PointRole>& roles);
   void prepareMinima();
   std::vector<Centimetres> minima(const Window& window) const;
-  VolumetricState search(int row, int column, const Window& window, int near, int far) const;
+  VolumetricState search(const Bin& bin, const Window& window, int near, int far) const;
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride_) +
            static_cast<std::size_t>(column + pad_);

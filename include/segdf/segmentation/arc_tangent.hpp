@@ -30,6 +30,26 @@ inline double arcTangent2(double y, double x) {
   return y < 0.0 ? -angle : angle;
 }
 
+/// As above in single precision, within 1e-6 rad, without a branch: compilers make four at a time.
+inline float arcTangent2(float y, float x) {
+  constexpr float kPi = 3.14159265F;
+  const float ax = std::abs(x);
+  const float ay = std::abs(y);
+  const float longer = ax > ay ? ax : ay;
+  const float shorter = ax > ay ? ay : ax;
+  const float t = shorter / (longer > 0.0F ? longer : 1.0F);
+  const float s = t * t;
+  const float s2 = s * s;
+  const float s4 = s2 * s2;
+  const float low = (1.0F - 0.33333067F * s) + s2 * (0.19992483F - 0.14202571F * s);
+  const float high =
+      (0.10636754F - 0.07495446F * s) + s2 * (0.04258761F - 0.01600503F * s) + s4 * 0.00283406F;
+  float angle = t * (low + s4 * high);
+  angle = ay > ax ? 0.5F * kPi - angle : angle;
+  angle = x < 0.0F ? kPi - angle : angle;
+  return y < 0.0F ? -angle : angle;
+}
+
 /// Angle of (x, y) as a share of a full turn, in [0, 1].
 inline double turnOf(double y, double x) {
   constexpr double kTwoPi = 2.0 * 3.14159265358979323846;
