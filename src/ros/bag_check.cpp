@@ -36,22 +36,19 @@ std::string quoted(const std::string& text) {
 
 void reportTopics(const BagSurvey& survey, BagReport& report) {
   for (const auto& [topic, type] : survey.types) {
-    report.facts.emplace_back(
-        "topic",
-        topic + " (" + type + ", " + std::to_string(survey.messages.at(topic)) + " messages)");
+    const std::string count = std::to_string(survey.messages.at(topic));
+    std::string text = topic;
+    text.append(" (").append(type).append(", ").append(count).append(" messages)");
+    report.facts.emplace_back("topic", text);
   }
 }
 
-/// Both topics are there, but one may be silent.
 bool hasMessages(const BagSurvey& survey, BagReport& report) {
-  for (const std::string& topic : {survey.topics.cloud, survey.topics.odometry}) {
-    if (survey.messages.at(topic) > 0) continue;
-    report.errors.push_back("topic " + topic + " has no message: record it again");
-    return false;
-  }
   if (!survey.clouds.empty() && !survey.poses.empty()) return true;
-  report.errors.push_back("no message can be read (" + survey.break_off +
-                          "): run 'rosbag reindex' on the bag, or record it again");
+  const std::string& topic = survey.clouds.empty() ? survey.topics.cloud : survey.topics.odometry;
+  const std::string reason = survey.break_off.empty() ? "" : " (" + survey.break_off + ")";
+  report.errors.push_back("no message on " + topic + " can be read" + reason +
+                          ": run 'rosbag reindex' on the bag, or record it again");
   return false;
 }
 
@@ -135,6 +132,7 @@ void checkDrive(const rosbag::Bag& bag,
   if (survey.pairs.empty()) return;
   checkFrames(survey, report);
   checkPoses(survey, report);
+  if (!report.errors.empty()) return;  // scans without stamps, frames or poses tell nothing more
   reportEmptyClouds(survey, report);
   lookIntoScans(bag, survey, chooseSamples(inOrder(survey), options.all_scans), report);
 }

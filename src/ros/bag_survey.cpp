@@ -89,7 +89,7 @@ std::string chooseOrOnly(const TopicTypes& types,
   try {
     return choose(wanted);
   } catch (const IoError&) {
-    const std::string only = wanted.empty() ? onlyTopic(types, type) : "";
+    std::string only = wanted.empty() ? onlyTopic(types, type) : "";
     if (only.empty()) throw;
     return only;
   }

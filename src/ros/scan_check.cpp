@@ -113,7 +113,7 @@ void ScanCheck::reportPoints(BagReport& report) const {
                     " scans looked into), " +
                     percent(points_ - finite_points_, std::max(points_, std::size_t{1})) + " NaN");
   if (finite_points_ == 0) {
-    report.errors.push_back("no scan that was looked into has a point with finite coordinates");
+    report.errors.emplace_back("no scan that was looked into has a point with finite coordinates");
     return;
   }
   if (without_points_ > 0) {
@@ -161,7 +161,7 @@ void ScanCheck::reportSensor(BagReport& report) const {
 
 void ScanCheck::reportForm(BagReport& report) const {
   if (far_scans_ == 0 || 2 * other_form_ <= far_scans_) return;
-  report.errors.push_back(
+  report.errors.emplace_back(
       registered_
           ? "clouds carry the frame of the odometry, but their points lie around the origin and "
             "not around the pose: they are seen from the sensor; give them its frame_id"
