@@ -21,19 +21,6 @@ using sensor_msgs::PointField;
 
 constexpr double kQuaternionTolerance = 1e-3;  // as isValidPose() has it for rotations
 
-Pose toPose(const geometry_msgs::Pose& message) {
-  const Eigen::Quaterniond rotation(message.orientation.w, message.orientation.x,
-                                    message.orientation.y, message.orientation.z);
-  Pose pose = Pose::Identity();
-  pose.translation() << message.position.x, message.position.y, message.position.z;
-  if (std::abs(rotation.norm() - 1.0) < kQuaternionTolerance) {
-    pose.linear() = rotation.normalized().toRotationMatrix();
-  } else {
-    pose.linear().setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
-  return pose;
-}
-
 const PointField& needField(const PointCloud2& cloud,
                             const std::string& name,
                             const std::string& topic) {
@@ -135,6 +122,19 @@ PointCloud2 outputLayout() {
 }
 
 }  // namespace
+
+Pose toPose(const geometry_msgs::Pose& message) {
+  const Eigen::Quaterniond rotation(message.orientation.w, message.orientation.x,
+                                    message.orientation.y, message.orientation.z);
+  Pose pose = Pose::Identity();
+  pose.translation() << message.position.x, message.position.y, message.position.z;
+  if (std::abs(rotation.norm() - 1.0) < kQuaternionTolerance) {
+    pose.linear() = rotation.normalized().toRotationMatrix();
+  } else {
+    pose.linear().setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  return pose;
+}
 
 Scan toScan(const PointCloud2& cloud,
             const nav_msgs::Odometry& odometry,

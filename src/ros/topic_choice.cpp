@@ -61,15 +61,32 @@ std::vector<std::string> orDefault(const std::string& wanted, std::vector<std::s
   return wanted.empty() ? std::move(defaults) : std::vector<std::string>{wanted};
 }
 
+/// @throws IoError if none of `names` is there, but LIO-SAM's cloud of features is: named, it would
+/// be refused as well, so it must not be offered
+void refuseFeaturesAlone(const TopicTypes& topics,
+                         const std::vector<std::string>& names,
+                         const std::string& where) {
+  for (const std::string& name : names) {
+    if (find(topics, name) != topics.end()) return;
+  }
+  const auto features = find(topics, topics::kFeatureCloud);
+  if (features == topics.end()) return;
+  throw IoError(where + " has no topic " + alternatives(names) + "; its '" + features->first +
+                "' holds only LIO-SAM's down-sampled corner and surface features, not the sweep: " +
+                "record '" + topics::kRegisteredCloud + "' instead");
+}
+
 }  // namespace
 
 std::string chooseCloudTopic(const TopicTypes& topics,
                              const std::string& wanted,
                              const std::string& where) {
   refuseFeatureCloud(wanted);
+  const std::vector<std::string> names =
+      orDefault(wanted, {topics::kRegisteredCloud, topics::kDeskewedCloud});
+  if (wanted.empty()) refuseFeaturesAlone(topics, names, where);
   return choose(topics,
-                {"cloud", orDefault(wanted, {topics::kRegisteredCloud, topics::kDeskewedCloud}),
-                 ros::message_traits::DataType<sensor_msgs::PointCloud2>::value()},
+                {"cloud", names, ros::message_traits::DataType<sensor_msgs::PointCloud2>::value()},
                 where);
 }
 

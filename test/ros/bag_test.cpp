@@ -2,7 +2,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "segdf/ros/lio_sam_messages.hpp"
 #include "segdf/ros/topics.hpp"
 
+#include "ros/broken_bag.hpp"
 #include "ros/sample_scan.hpp"
 #include "support/expect_error.hpp"
 #include "support/temp_folder.hpp"
@@ -275,23 +275,11 @@ TEST(BagSource, TruncatedBagAsksForReindex) {
   EXPECT_TRUE(contains(message, "rosbag reindex " + file.string()));
 }
 
-/// Spoils the record of the last cloud; the index at the end of the bag stays.
-void breakLastCloud(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  // The field's name with its length stands only in a cloud's own bytes.
-  const std::size_t cloud = bytes.rfind(std::string("\x09\0\0\0intensity", 13));
-  const std::size_t record = bytes.rfind("op=\x02", cloud);  // "message" in the record's header
-  ASSERT_NE(record, std::string::npos);
-  bytes[record + 3] = '\x7F';
-  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
-}
-
 TEST(BagSource, BagThatBreaksOffGivesWhatIsReadableAndThenSaysSo) {
   const test::TempFolder folder;
   const fs::path file = folder / "drive.bag";
   writeDrive(file, CloudForm::kSensor, 4);
-  breakLastCloud(file);
+  test::breakLastCloud(file);
   BagSource source(file);
   EXPECT_EQ(source.size(), 3U);
   for (int k = 0; k < 3; ++k) EXPECT_EQ(source.next()->stamp_ns, scanOf(k).stamp_ns);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <geometry_msgs/Pose.h>
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
@@ -23,8 +24,7 @@ namespace segdf {
 /// order, NaN included. Fields: x y z (float32, metres), intensity (any number); optional `ring`,
 /// and the time as `time`, `t` or `timestamp`: uint32 are nanoseconds and floats are seconds after
 /// the stamp, but a float64 `timestamp` counts from the epoch. Without `ring`, rings are recovered
-/// from the order of the points. A quaternion that is not of length 1 gives a pose that
-/// isValidPose() refuses.
+/// from the order of the points. The pose is that of toPose().
 ///
 /// @param topic names the cloud in messages
 /// @throws IoError if a field is missing or its type cannot be used, or the sizes do not fit each
@@ -32,6 +32,9 @@ namespace segdf {
 Scan toScan(const sensor_msgs::PointCloud2& cloud,
             const nav_msgs::Odometry& odometry,
             const std::string& topic = "cloud");
+
+/// A quaternion that is not of length 1 gives a pose that isValidPose() refuses.
+Pose toPose(const geometry_msgs::Pose& message);
 
 /// Which points of a frame are published.
 enum class CloudKind {
