@@ -15,6 +15,8 @@ namespace {
 using CloudPtr = sensor_msgs::PointCloud2ConstPtr;
 using OdometryPtr = nav_msgs::OdometryConstPtr;
 
+constexpr std::size_t kPosesPerCloud = 10;  // they are small, and may come at a higher rate
+
 double distance(const ros::Time& a, const ros::Time& b) { return std::abs((a - b).toSec()); }
 
 /// As it is, where there is nothing to interpolate.
@@ -40,7 +42,7 @@ void Synchroniser::addCloud(const CloudPtr& cloud) {
 void Synchroniser::addOdometry(const OdometryPtr& odometry) {
   ++counts_.poses;
   poses_.push_back(odometry);
-  if (poses_.size() > queue_size_) poses_.pop_front();
+  if (poses_.size() > kPosesPerCloud * queue_size_) poses_.pop_front();
   pairUp();
 }
 

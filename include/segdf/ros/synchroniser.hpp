@@ -28,7 +28,7 @@ class Synchroniser {
     std::size_t unmatched = 0;  ///< clouds given up: a later one has its pose, or too many wait
   };
 
-  /// @param queue_size messages of a kind that may wait for their other half, at least 1
+  /// @param queue_size clouds that may wait for their pose, at least 1; poses may wait ten times
   /// @param slop seconds; 0 = identical stamps only
   Synchroniser(std::size_t queue_size, double slop, PairCallback on_pair);
   Synchroniser(const Synchroniser&) = delete;
