@@ -14,7 +14,7 @@ namespace {
 constexpr double kTick = 1.0;         // seconds between two looks
 constexpr int kSilentTicks = 5;       // until silence is told
 constexpr int kOrphanTicks = 2;       // until clouds without publisher are the end
-constexpr double kTfPoll = 0.02;      // seconds
+constexpr double kPoll = 0.02;        // seconds
 constexpr std::size_t kHalves = 100;  // messages that may wait for their other half
 // The ROS thread only pairs messages, so that nothing piles up here; were this queue bounded,
 // roscpp would drop messages without a word. The one that is bounded is the worker's, and counts.
@@ -31,20 +31,19 @@ Intake::Intake(ros::NodeHandle node,
     : parameters_(parameters),
       name_(std::move(name)),
       ledger_(ledger),
-      handlers_(std::move(handlers)) {
+      handlers_(std::move(handlers)),
+      brake_(node, parameters.player, static_cast<std::size_t>(parameters.queue_size)) {
   const auto on_pair = [this](const auto& cloud, const auto& odometry) { hand(cloud, odometry); };
   if (parameters.use_tf) {
     tf_poses_ = std::make_unique<TfPoses>(*buffer, parameters.map_frame, parameters.sensor_frame,
                                           kHalves, on_pair);
-    tf_timer_ = node.createWallTimer(ros::WallDuration(kTfPoll), [this](const auto& /*event*/) {
-      tf_poses_->pairUp();
-      book();
-    });
   } else {
     synchroniser_ = std::make_unique<Synchroniser>(kHalves, parameters.sync_slop, on_pair);
     odometry_subscriber_ = node.subscribe("odometry", kUnbounded, &Intake::addOdometry, this);
   }
   cloud_subscriber_ = node.subscribe("cloud", kUnbounded, &Intake::addCloud, this);
+  poll_timer_ =
+      node.createWallTimer(ros::WallDuration(kPoll), [this](const auto& /*event*/) { poll(); });
   watch_timer_ =
       node.createWallTimer(ros::WallDuration(kTick), [this](const auto& /*event*/) { watch(); });
 }
@@ -73,6 +72,7 @@ void Intake::hand(const sensor_msgs::PointCloud2ConstPtr& cloud,
   if (!handlers_.on_pair(cloud, odometry)) {
     ledger_.change([](Counts& counts) { ++counts.dropped; });
   }
+  brake_.look(ledger_.counts().scansWaiting());
 }
 
 /// Publishers number their messages; simulated bags and some drivers do not.
@@ -93,6 +93,14 @@ void Intake::book() {
     counts.unmatched = halves.unmatched;
     counts.clouds_waiting = waiting;
   });
+}
+
+void Intake::poll() {
+  if (tf_poses_) {
+    tf_poses_->pairUp();
+    book();
+  }
+  brake_.look(ledger_.counts().scansWaiting());
 }
 
 void Intake::watch() {

@@ -14,6 +14,7 @@
 #include <tf2_ros/buffer.h>
 
 #include "segdf/nodelets/ledger.hpp"
+#include "segdf/nodelets/player_brake.hpp"
 #include "segdf/nodelets/tf_poses.hpp"
 #include "segdf/ros/parameters.hpp"
 #include "segdf/ros/synchroniser.hpp"
@@ -49,6 +50,7 @@ class Intake {
             const nav_msgs::OdometryConstPtr& odometry);
   void countGap(const std_msgs::Header& header);
   void book();
+  void poll();
 
   void watch();
   void watchForSilence();
@@ -61,6 +63,7 @@ class Intake {
   std::string name_;
   Ledger& ledger_;
   Handlers handlers_;
+  PlayerBrake brake_;
   std::unique_ptr<Synchroniser> synchroniser_;  ///< one of the two
   std::unique_ptr<TfPoses> tf_poses_;
   std::optional<std_msgs::Header> last_cloud_;
@@ -74,7 +77,7 @@ class Intake {
   ros::Subscriber cloud_subscriber_;
   ros::Subscriber odometry_subscriber_;
   ros::WallTimer watch_timer_;
-  ros::WallTimer tf_timer_;
+  ros::WallTimer poll_timer_;
 };
 
 }  // namespace segdf
