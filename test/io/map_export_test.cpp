@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/io/map_export.hpp"
 
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "segdf/io/pcd_stream.hpp"
 
@@ -74,6 +79,32 @@ TEST(MapExport, PathThatCannotBeMeantIsRefused) {
   EXPECT_TRUE(contains(errorOf([&] { exportMap(folder / "missing/map.pcd", kPoints, {}); }),
                        "No such file or directory"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(MapExport, KilledAtAnyMomentItLeavesAWholeMapOrNone) {
+  const test::TempFolder folder;
+  const std::vector<MapPoint> points(1'000'000);  // 24 MB: some 10 ms to write
+  int absent = 0;
+  for (int round = 0; round < 12; ++round) {
+    const std::filesystem::path map = folder / ("map" + std::to_string(round) + ".pcd");
+    const pid_t child = fork();
+    if (child == 0) {
+      exportMap(map, points, {car()});
+      _exit(0);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    if (!std::filesystem::exists(map)) {
+      ++absent;
+      continue;
+    }
+    std::size_t read = 0;
+    EXPECT_NO_THROW(forEachPoint(map, [&read](const MapPoint&) { ++read; }));
+    EXPECT_EQ(read, points.size());
+    EXPECT_TRUE(std::filesystem::exists(instanceFileOf(map)));
+  }
+  EXPECT_GT(absent, 0) << "the first is killed before it could begin";
 }
 
 TEST(MapExport, PathIsTakenLiterally) {

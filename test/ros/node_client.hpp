@@ -56,11 +56,12 @@ inline std::vector<std::filesystem::path> labelFiles(const std::filesystem::path
 template <class Done>
 bool spinUntil(const Done& done, double patience = kPatience) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(patience);
-  while (!done() && ros::WallTime::now() < end) {
+  while (!done()) {
+    if (ros::WallTime::now() > end) return false;
     ros::spinOnce();
     ros::WallDuration(0.01).sleep();
   }
-  return done();
+  return true;
 }
 
 /// Keeps what the node says of each frame.
