@@ -11,8 +11,8 @@ constexpr double kPeriod = 1.0;  // seconds
 
 }  // namespace
 
-Diagnostics::Diagnostics(ros::NodeHandle node,
-                         ros::NodeHandle private_node,
+Diagnostics::Diagnostics(const ros::NodeHandle& node,
+                         const ros::NodeHandle& private_node,
                          const std::string& name,
                          const Ledger& ledger)
     : ledger_(ledger), updater_(node, private_node, name) {

@@ -18,8 +18,8 @@ namespace segdf {
 class Diagnostics {
  public:
   /// @param name of the node, with its leading slash @param ledger outlives this object
-  Diagnostics(ros::NodeHandle node,
-              ros::NodeHandle private_node,
+  Diagnostics(const ros::NodeHandle& node,
+              const ros::NodeHandle& private_node,
               const std::string& name,
               const Ledger& ledger);
 
