@@ -30,7 +30,7 @@ void Diagnostics::tick() {
 }
 
 void Diagnostics::reportInput(DiagnosticStatusWrapper& status) const {
-  if (now_.pairs == before_.pairs) {
+  if (now_.pairs == before_.pairs && now_.scansWaiting() == 0) {
     status.summary(DiagnosticStatus::WARN, "no cloud with a pose in the last second");
   } else if (now_.unmatched > before_.unmatched || now_.lost > before_.lost) {
     status.summary(DiagnosticStatus::WARN, "clouds without pose, or lost on the way");

@@ -112,7 +112,8 @@ void Intake::watch() {
 
 void Intake::watchForSilence() {
   const Counts counts = ledger_.counts();
-  silent_ticks_ = counts.pairs == seen_.pairs ? silent_ticks_ + 1 : 0;
+  const bool silent = counts.pairs == seen_.pairs && counts.scansWaiting() == 0;  // not held
+  silent_ticks_ = silent ? silent_ticks_ + 1 : 0;
   if (silent_ticks_ != kSilentTicks) return;
   if (counts.pairs == 0) {
     warnOfNoPair(counts);
