@@ -5,9 +5,10 @@
 #include <functional>
 #include <iostream>
 
-#include "segdf/core/keep_freed_memory.hpp"
-
 #include <CLI/CLI.hpp>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace segdf::apps {
 
@@ -19,6 +20,16 @@ enum ExitCode : int {
   kPartial = 3,   ///< the input broke off; what came before it is saved
   kStopped = 130  ///< Ctrl-C; what was done until then is saved
 };
+
+/// Every scan takes megabytes and gives them back. Returned to the system, each page would have to
+/// be handed out and cleared anew, which costs as much as half of the segmentation itself.
+inline void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int kThreshold = 256 << 20;
+  mallopt(M_MMAP_THRESHOLD, kThreshold);
+  mallopt(M_TRIM_THRESHOLD, kThreshold);
+#endif
+}
 
 /// Parses the command line and runs the program; whatever goes wrong is one line, "error: ...".
 inline int runApp(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {

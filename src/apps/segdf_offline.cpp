@@ -63,6 +63,7 @@ std::vector<std::string> withoutRosArguments(int argc, char** argv) {
 int main(int argc, char** argv) {
   std::vector<std::string> words = withoutRosArguments(argc, argv);
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words) arguments.push_back(word.data());
   CLI::App app("Removes what moves from a LiDAR drive and writes the static instance map.",
                "segdf_offline");

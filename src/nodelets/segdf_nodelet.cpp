@@ -7,7 +7,6 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <ros/param.h>
 
-#include "segdf/core/keep_freed_memory.hpp"
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/io/map_export.hpp"
 #include "segdf/io/scan_source.hpp"
@@ -72,7 +71,6 @@ void SegdfNodelet::onInit() {
 void SegdfNodelet::start() {
   ros::NodeHandle& node = getPrivateNodeHandle();
   const PrivateParameters parameters = readParameters(node.getNamespace());
-  if (parameters.node.keep_memory) keepFreedMemory();
   const std::string cloud_topic = getNodeHandle().resolveName("cloud");
   refuseFeatureCloud(cloud_topic);
   startTf(parameters.node);

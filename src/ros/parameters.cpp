@@ -119,7 +119,6 @@ const std::map<std::string, Reader>& readers() {
       {"sync_slop", field(&NodeParameters::sync_slop, readSeconds)},
       {"output_dir", field(&NodeParameters::output_dir, readText)},
       {"player", field(&NodeParameters::player, readText)},
-      {"keep_memory", field(&NodeParameters::keep_memory, readFlag)},
       {"use_tf", field(&NodeParameters::use_tf, readFlag)},
       {"map_frame", field(&NodeParameters::map_frame, readText)},
       {"base_frame", field(&NodeParameters::base_frame, readText)},
