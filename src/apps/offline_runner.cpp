@@ -115,6 +115,11 @@ int OfflineRunner::finish(DriveWriter& writer, const Config& config) {
          " (the first is scan " + std::to_string(report.firstOf(status)) + ")");
     if (status != FrameStatus::kEmpty) code = kPartial;
   }
+  if (report.jumps() > 0) {
+    warn("the pose jumps " + std::to_string(report.jumps()) +
+         " times by more than input.max_jump = " + metres(config.input.max_jump) +
+         " (loop closure?); what lies before and after a jump is judged separately");
+  }
   if (report.nonFinitePoints() > 0) {
     warn(std::to_string(report.nonFinitePoints()) +
          " points with NaN or infinite coordinates ignored");

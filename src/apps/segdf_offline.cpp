@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Filters a drive from a bag or a KITTI folder without a ROS master.
 #include <iostream>
+#include <string>
+#include <vector>
+
+#include <ros/init.h>
 
 #include "segdf/io/config_yaml.hpp"
 
@@ -47,14 +51,25 @@ void addOptions(CLI::App& app, OfflineOptions& options) {
   });
 }
 
+/// As a node of a launch file it is told its name, as every node is: left out.
+std::vector<std::string> withoutRosArguments(int argc, char** argv) {
+  std::vector<std::string> words;
+  ros::removeROSArgs(argc, argv, words);
+  return words;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::vector<std::string> words = withoutRosArguments(argc, argv);
+  std::vector<char*> arguments;
+  arguments.reserve(words.size());
+  for (std::string& word : words) arguments.push_back(word.data());
   CLI::App app("Removes what moves from a LiDAR drive and writes the static instance map.",
                "segdf_offline");
   OfflineOptions options;
   addOptions(app, options);
-  return segdf::apps::runApp(app, argc, argv, [&] {
+  return segdf::apps::runApp(app, static_cast<int>(arguments.size()), arguments.data(), [&] {
     if (app.count("--print-config") == 0) return segdf::apps::OfflineRunner(options).run();
     std::cout << segdf::toYaml(segdf::Config{});
     return static_cast<int>(segdf::apps::kOk);

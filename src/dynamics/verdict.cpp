@@ -44,11 +44,15 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
   return verdict;
 }
 
+bool isFoundAgain(const PairVote& vote, std::size_t points, const DynamicConfig& config) {
+  return std::abs(static_cast<double>(vote.seconds)) >= kParkedSeconds &&
+         static_cast<double>(vote.freeShare()) <= config.f_stat &&
+         static_cast<double>(vote.hit) >= kFoundAgain * static_cast<double>(points);
+}
+
 bool isParked(const std::vector<PairVote>& votes, std::size_t points, const DynamicConfig& config) {
   const auto found = std::count_if(votes.begin(), votes.end(), [&](const PairVote& vote) {
-    return std::abs(static_cast<double>(vote.seconds)) >= kParkedSeconds &&
-           static_cast<double>(vote.freeShare()) <= config.f_stat &&
-           static_cast<double>(vote.hit) >= kFoundAgain * static_cast<double>(points);
+    return isFoundAgain(vote, points, config);
   });
   return found >= config.keep_hits;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/io/drive_writer.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <iomanip>
 #include <sstream>
@@ -8,6 +9,7 @@
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/io/atomic_file.hpp"
 #include "segdf/io/config_yaml.hpp"
+#include "segdf/io/instance_csv.hpp"
 #include "segdf/io/label_file.hpp"
 #include "segdf/io/top_down_image.hpp"
 
@@ -77,22 +79,11 @@ void DriveWriter::add(const FrameResult& frame) {
 }
 
 void DriveWriter::writeInstances() {
-  std::ostringstream csv;
-  csv << "id,parent,class,frames,points,dynamic_points,length,width,height,verdict,static_votes,"
-         "dynamic_votes,fused,reason\n"
-      << std::fixed << std::setprecision(2);
   const std::vector<InstanceRecord> records = instances_.records();
-  std::size_t removed = 0;
-  for (const InstanceRecord& r : records) {
-    removed += r.isDynamic() ? 1 : 0;
-    csv << r.id << ',' << r.parent << ',' << toString(r.object_class) << ',' << r.frames << ','
-        << r.points << ',' << r.dynamic_points << ',' << r.size.x() << ',' << r.size.y() << ','
-        << r.size.z() << ',' << (r.isDynamic() ? "dynamic" : "static") << ',' << r.static_votes
-        << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << ',' << toString(r.reason())
-        << '\n';
-  }
-  writeText(folder_.staging() / "instances.csv", csv.str());
-  report_.setInstances(records.size(), removed);
+  writeInstanceCsv(folder_.staging() / "instances.csv", records);
+  const auto removed = std::count_if(records.begin(), records.end(),
+                                     [](const InstanceRecord& r) { return r.isDynamic(); });
+  report_.setInstances(records.size(), static_cast<std::size_t>(removed));
 }
 
 void DriveWriter::drawMap() const {

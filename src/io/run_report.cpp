@@ -54,6 +54,7 @@ void RunReport::add(const FrameResult& frame) {
   if (by_status_[status]++ == 0) first_of_status_[status] = frame.index;
   ++frames_;
   for (const PointLabel& label : frame.labels) ++by_state_[static_cast<std::size_t>(label.state)];
+  jumps_ += frame.after_jump ? 1 : 0;
   non_finite_points_ += frame.non_finite_points;
   if (std::isfinite(frame.pose_misfit)) misfits_.push_back(frame.pose_misfit);
   times_.ground += frame.times.ground;
@@ -91,6 +92,7 @@ void RunReport::write(const std::filesystem::path& file) const {
   for (PointState state : kStates) {
     json["points"][toString(state)] = by_state_[static_cast<std::size_t>(state)];
   }
+  json["pose_jumps"] = jumps_;
   json["points_not_finite"] = non_finite_points_;
   json["instances"] = instances_;
   json["instances_dynamic"] = removed_instances_;

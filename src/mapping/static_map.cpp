@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/mapping/static_map.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace segdf {
@@ -21,17 +22,28 @@ StaticMap::StaticMap(double voxel) : voxel_(voxel) {
 void StaticMap::add(const FrameResult& frame) {
   for (std::size_t i = 0; i < frame.labels.size(); ++i) {
     if (!isKept(frame.labels[i].state)) continue;
-    const MapPoint point = toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]);
-    const Eigen::Vector3d position(static_cast<double>(point.x), static_cast<double>(point.y),
-                                   static_cast<double>(point.z));
-    const Eigen::Vector3i key = (position / voxel_).array().floor().cast<int>();
-    if (index_.emplace(key, points_.size()).second) points_.push_back(point);
+    add(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
   }
+}
+
+void StaticMap::add(const MapPoint& point) {
+  const Eigen::Vector3d position(static_cast<double>(point.x), static_cast<double>(point.y),
+                                 static_cast<double>(point.z));
+  const Eigen::Vector3i key = (position / voxel_).array().floor().cast<int>();
+  if (index_.emplace(key, points_.size()).second) points_.push_back(point);
 }
 
 void StaticMap::clear() {
   index_.clear();
   points_.clear();
+}
+
+std::vector<MapPoint> thinned(const std::vector<MapPoint>& points, double voxel) {
+  if (voxel == 0.0) return points;
+  if (!std::isfinite(voxel)) throw std::invalid_argument("the map's voxel must be finite");
+  StaticMap coarse(voxel);
+  for (const MapPoint& point : points) coarse.add(point);
+  return coarse.points();
 }
 
 }  // namespace segdf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/nodelets/live_filter.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -8,6 +9,11 @@
 #include "segdf/segmentation/sensor_recognition.hpp"
 
 namespace segdf {
+namespace {
+
+constexpr std::int64_t kStepBackNs = 1'000'000'000;
+
+}  // namespace
 
 LiveFilter::LiveFilter(const std::string& sensor, int threads, MakeConfig make_config, Tell tell)
     : threads_(threads), make_config_(std::move(make_config)), tell_(std::move(tell)) {
@@ -15,12 +21,12 @@ LiveFilter::LiveFilter(const std::string& sensor, int threads, MakeConfig make_c
 }
 
 bool LiveFilter::isBehind(const Scan& scan) const {
-  return last_stamp_ns_ && scan.stamp_ns < *last_stamp_ns_;
+  return last_stamp_ns_ && scan.stamp_ns <= *last_stamp_ns_ - kStepBackNs;
 }
 
 std::vector<FrameResult> LiveFilter::process(Scan scan) {
   if (!pipeline_) start(recognise(scan));
-  last_stamp_ns_ = scan.stamp_ns;
+  last_stamp_ns_ = std::max(last_stamp_ns_.value_or(scan.stamp_ns), scan.stamp_ns);
   return mapped(pipeline_->process(std::move(scan)));
 }
 
@@ -30,7 +36,13 @@ std::vector<FrameResult> LiveFilter::flush() {
 
 void LiveFilter::restart() {
   last_stamp_ns_.reset();
+  const std::lock_guard<std::mutex> lock(map_mutex_);
   if (map_) map_->clear();
+  instances_ = InstanceTable();
+}
+
+bool LiveFilter::isMisfit(const FrameResult& frame) const {
+  return config_ && frame.pose_misfit > config_->input.max_misfit;
 }
 
 const std::vector<MapPoint>& LiveFilter::map() const {
@@ -38,11 +50,18 @@ const std::vector<MapPoint>& LiveFilter::map() const {
   return map_ ? map_->points() : no_points;
 }
 
+MapSnapshot LiveFilter::snapshot() const {
+  const std::lock_guard<std::mutex> lock(map_mutex_);
+  return {map(), instances_.records()};
+}
+
 void LiveFilter::start(const std::string& sensor) {
   const Config config = make_config_(sensor);
   pipeline_.emplace(config, threads_);
+  config_ = config;
+  sensor_ = sensor;
+  const std::lock_guard<std::mutex> lock(map_mutex_);
   map_.emplace(config.map.live_voxel);
-  max_misfit_ = config.input.max_misfit;
 }
 
 std::string LiveFilter::recognise(const Scan& scan) const {
@@ -56,7 +75,11 @@ std::string LiveFilter::recognise(const Scan& scan) const {
 }
 
 std::vector<FrameResult> LiveFilter::mapped(std::vector<FrameResult> frames) {
-  for (const FrameResult& frame : frames) map_->add(frame);
+  const std::lock_guard<std::mutex> lock(map_mutex_);
+  for (const FrameResult& frame : frames) {
+    map_->add(frame);
+    instances_.add(frame);
+  }
   return frames;
 }
 

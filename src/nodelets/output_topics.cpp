@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/nodelets/output_topics.hpp"
 
+#include <utility>
+
 #include <boost/make_shared.hpp>
 
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "segdf/ros/conversions.hpp"
+#include "segdf/ros/instance_messages.hpp"
 #include "segdf/ros/markers.hpp"
 
 namespace segdf {
@@ -37,6 +40,8 @@ OutputTopics::OutputTopics(ros::NodeHandle& node,
   static_cloud_ = node.advertise<PointCloud2>("static_cloud", size);
   dynamic_cloud_ = node.advertise<PointCloud2>("dynamic_cloud", size);
   labelled_cloud_ = node.advertise<PointCloud2>("labelled_cloud", size);
+  instances_ = node.advertise<LabelledInstanceArray>("instances", size);
+  frame_report_ = node.advertise<FrameReport>("frame_report", size);
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", size);
   const auto connected = [on_map_viewer](const ros::SingleSubscriberPublisher&) {
     on_map_viewer();
@@ -45,11 +50,18 @@ OutputTopics::OutputTopics(ros::NodeHandle& node,
       "static_map", 1, connected, ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
 }
 
-void OutputTopics::publish(const FrameResult& frame, const std::string& frame_id) {
+void OutputTopics::publish(const FrameResult& frame,
+                           const std::string& frame_id,
+                           const Counts& counts) {
   publishCloud(static_cloud_, frame, frame_id, CloudKind::kStatic);
   publishCloud(dynamic_cloud_, frame, frame_id, CloudKind::kDynamic);
   publishCloud(labelled_cloud_, frame, frame_id, CloudKind::kLabelled);
   if (markers_.getNumSubscribers() > 0) publishShared(markers_, toMarkers(frame, frame_id));
+  if (instances_.getNumSubscribers() > 0) publishShared(instances_, toInstances(frame, frame_id));
+  if (frame_report_.getNumSubscribers() == 0) return;
+  FrameReport report = toReport(frame, frame_id);
+  fill(report, counts);
+  publishShared(frame_report_, std::move(report));
 }
 
 void OutputTopics::publishMap(const std::vector<MapPoint>& points, const std_msgs::Header& header) {

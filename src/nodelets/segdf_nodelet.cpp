@@ -8,17 +8,12 @@
 #include <ros/param.h>
 
 #include "segdf/io/config_yaml.hpp"
-#include "segdf/ros/conversions.hpp"
+#include "segdf/io/map_export.hpp"
+#include "segdf/io/scan_source.hpp"
 #include "segdf/ros/topic_choice.hpp"
 
 namespace segdf {
 namespace {
-
-constexpr double kWatchPeriod = 5.0;  // seconds
-// Messages that may wait for a ROS thread, or for their other half. These threads do next to
-// nothing, so that this is never reached; the queue that can run full is the worker's, which
-// counts.
-constexpr std::uint32_t kIncoming = 100;
 
 /// Wrong parameters are told at the start, not when the first scan has shown the sensor.
 void checkParameters(const PrivateParameters& parameters) {
@@ -27,7 +22,42 @@ void checkParameters(const PrivateParameters& parameters) {
   makeConfig(known ? sensor : knownSensors().front(), parameters.config_yaml);
 }
 
+PrivateParameters readParameters(const std::string& name_space) {
+  XmlRpc::XmlRpcValue tree;
+  ros::param::get(name_space, tree);
+  PrivateParameters parameters = splitParameters(tree);
+  checkParameters(parameters);
+  return parameters;
+}
+
+/// Answers a service: what was done, or why it was not.
+template <class Response, class Action>
+void answer(Response& response, const Action& action) {
+  try {
+    response.message = action();
+    response.success = 1;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+    response.success = 0;
+  }
+}
+
 }  // namespace
+
+SegdfNodelet::~SegdfNodelet() {
+  for (ros::ServiceServer* service : {&flush_service_, &reset_service_, &save_service_}) {
+    service->shutdown();
+  }
+  diagnostics_.reset();
+  intake_.reset();
+  worker_.reset();
+  if (!stage_ || ledger_.counts().processed == 0) return;
+  try {
+    NODELET_INFO_STREAM("ends: " << stage_->flush());
+  } catch (const std::exception& error) {
+    NODELET_ERROR_STREAM(error.what());
+  }
+}
 
 void SegdfNodelet::onInit() {
   try {
@@ -40,144 +70,99 @@ void SegdfNodelet::onInit() {
 
 void SegdfNodelet::start() {
   ros::NodeHandle& node = getPrivateNodeHandle();
-  XmlRpc::XmlRpcValue tree;
-  ros::param::get(node.getNamespace(), tree);
-  const PrivateParameters parameters = splitParameters(tree);
-  checkParameters(parameters);
-  parameters_ = parameters.node;
-  cloud_topic_ = getNodeHandle().resolveName("cloud");
-  odometry_topic_ = getNodeHandle().resolveName("odometry");
-  refuseFeatureCloud(cloud_topic_);
-  filter_ = std::make_unique<LiveFilter>(
-      parameters_.sensor, parameters_.threads,
-      [yaml = parameters.config_yaml](const std::string& sensor) {
-        return makeConfig(sensor, yaml);
-      },
-      [this](const std::string& line) { NODELET_INFO_STREAM(line); });
-  outputs_ = std::make_unique<OutputTopics>(node, parameters_.queue_size,
-                                            [this] { worker_->tryPost([this] { publishMap(); }); });
-  worker_ = std::make_unique<Worker>(parameters_.queue_size);
-  subscribe();
+  const PrivateParameters parameters = readParameters(node.getNamespace());
+  const std::string cloud_topic = getNodeHandle().resolveName("cloud");
+  refuseFeatureCloud(cloud_topic);
+  startTf(parameters.node);
+  outputs_ = std::make_unique<OutputTopics>(node, parameters.node.queue_size, [this] {
+    worker_->tryPost([this] { stage_->publishMap(); });
+  });
+  stage_ = std::make_unique<FilterStage>(parameters, getName(), cloud_topic,
+                                         makeMount(parameters.node), ledger_, *outputs_);
+  worker_ = std::make_unique<Worker>(static_cast<std::size_t>(parameters.node.queue_size));
+  intake_ = std::make_unique<Intake>(getNodeHandle(), parameters.node, getName(), ledger_,
+                                     intakeHandlers(), tf_buffer_.get());
+  diagnostics_ = std::make_unique<Diagnostics>(getNodeHandle(), node, getName(), ledger_);
+  advertiseServices();
 }
 
-void SegdfNodelet::subscribe() {
-  pairs_ = std::make_unique<Synchroniser>(
-      kIncoming, [this](const sensor_msgs::PointCloud2ConstPtr& cloud,
-                        const nav_msgs::OdometryConstPtr& odometry) { enqueue(cloud, odometry); });
-  ros::NodeHandle& node = getNodeHandle();
-  odometry_subscriber_ =
-      node.subscribe("odometry", kIncoming, &Synchroniser::addOdometry, pairs_.get());
-  cloud_subscriber_ = node.subscribe("cloud", kIncoming, &Synchroniser::addCloud, pairs_.get());
-  watch_timer_ = node.createWallTimer(ros::WallDuration(kWatchPeriod),
-                                      [this](const ros::WallTimerEvent&) { watch(); });
-  // It waits for the worker, and must not keep the messages waiting: hence the other queue.
-  flush_service_ = getMTPrivateNodeHandle().advertiseService("flush", &SegdfNodelet::onFlush, this);
+void SegdfNodelet::startTf(const NodeParameters& node) {
+  if (!node.use_tf && node.base_frame.empty()) return;
+  tf_buffer_ = std::make_unique<tf2_ros::Buffer>();
+  tf_listener_ = std::make_unique<tf2_ros::TransformListener>(*tf_buffer_);
 }
 
-void SegdfNodelet::enqueue(const sensor_msgs::PointCloud2ConstPtr& cloud,
-                           const nav_msgs::OdometryConstPtr& odometry) {
-  const bool taken = worker_->tryPost([this, cloud, odometry] { handle(*cloud, *odometry); });
-  if (!taken) ++overflows_;
+std::unique_ptr<SensorMount> SegdfNodelet::makeMount(const NodeParameters& node) const {
+  if (!tf_buffer_) return nullptr;
+  return std::make_unique<SensorMount>(*tf_buffer_, node.base_frame, node.sensor_frame);
 }
 
-void SegdfNodelet::watch() {
-  const Synchroniser::Counts& counts = pairs_->counts();
-  watchForSilence(counts);
-  if (counts.unmatched > seen_.unmatched) {
-    NODELET_WARN("%zu of %zu clouds had no odometry message of the same stamp and were left out",
-                 counts.unmatched, counts.clouds);
-  }
-  if (overflows_ > overflows_seen_) {
-    NODELET_WARN(
-        "%zu of %zu scans were dropped because %d were waiting: play the bag slower, give more "
-        "threads, or raise queue_size",
-        overflows_, counts.pairs, parameters_.queue_size);
-  }
-  seen_ = counts;
-  overflows_seen_ = overflows_;
+Intake::Handlers SegdfNodelet::intakeHandlers() {
+  return {[this](const sensor_msgs::PointCloud2ConstPtr& cloud,
+                 const nav_msgs::OdometryConstPtr& odometry) {
+            return worker_->tryPost([this, cloud, odometry] { stage_->handle(cloud, *odometry); });
+          },
+          [this] {
+            return worker_->tryPost(
+                [this] { NODELET_INFO_STREAM("no more clouds: " << stage_->flush()); });
+          }};
 }
 
-void SegdfNodelet::watchForSilence(const Synchroniser::Counts& counts) {
-  const bool silent = counts.pairs == seen_.pairs;
-  if (silent && !silence_told_ && counts.pairs == 0) {
-    NODELET_WARN(
-        "no cloud and odometry message of the same stamp for %.0f s: %zu clouds on '%s', %zu "
-        "odometry messages on '%s' so far; check the two topics",
-        kWatchPeriod, counts.clouds, cloud_topic_.c_str(), counts.poses, odometry_topic_.c_str());
-  } else if (silent && !silence_told_) {
-    NODELET_INFO("no new scan for %.0f s, %zu so far; the service flush decides the last ones",
-                 kWatchPeriod, counts.pairs);
-  }
-  silence_told_ = silent;
+/// The services wait for the worker or for the disk, and must not keep messages waiting: hence the
+/// other queue.
+void SegdfNodelet::advertiseServices() {
+  ros::NodeHandle& node = getMTPrivateNodeHandle();
+  flush_service_ = node.advertiseService("flush", &SegdfNodelet::onFlush, this);
+  reset_service_ = node.advertiseService("reset", &SegdfNodelet::onReset, this);
+  save_service_ = node.advertiseService("save_map", &SegdfNodelet::onSaveMap, this);
+}
+
+/// Waits until the worker has come so far: what waits in its queue goes first.
+std::string SegdfNodelet::inWorker(std::function<std::string()> work) {
+  auto task = std::make_shared<std::packaged_task<std::string()>>(std::move(work));
+  std::future<std::string> result = task->get_future();
+  worker_->post([task] { (*task)(); });
+  return result.get();
 }
 
 bool SegdfNodelet::onFlush(std_srvs::Trigger::Request& /*request*/,
                            std_srvs::Trigger::Response& response) {
-  auto task = std::make_shared<std::packaged_task<std::string()>>([this] {
-    finishSession();
-    return std::to_string(frames_) + " frames published, the map has " +
-           std::to_string(filter_->map().size()) + " points";
-  });
-  std::future<std::string> answer = task->get_future();
-  worker_->post([task] { (*task)(); });
-  response.message = answer.get();
-  response.success = 1;
+  answer(response, [this] { return inWorker([this] { return stage_->flush(); }); });
   return true;
 }
 
-void SegdfNodelet::handle(const sensor_msgs::PointCloud2& cloud,
-                          const nav_msgs::Odometry& odometry) {
-  try {
-    take(toScan(cloud, odometry, cloud_topic_), odometry.header);
-  } catch (const std::exception& error) {
-    tell("unusable scan", error.what());
+bool SegdfNodelet::onReset(ResetRequest& request, ResetResponse& response) {
+  const bool keep_map = request.keep_map != 0;
+  answer(response, [&] { return inWorker([this, keep_map] { return stage_->reset(keep_map); }); });
+  return true;
+}
+
+bool SegdfNodelet::onSaveMap(SaveMapRequest& request, SaveMapResponse& response) {
+  answer(response,
+         [&] { return saveMap(request.destination, static_cast<double>(request.resolution)); });
+  if (response.success == 0) NODELET_ERROR_STREAM("map not saved: " << response.message);
+  return true;
+}
+
+/// Not in the worker, which filters on meanwhile.
+std::string SegdfNodelet::saveMap(const std::string& destination, double resolution) {
+  const std::lock_guard<std::mutex> one_at_a_time(save_mutex_);
+  checkExport(destination);
+  const Counts counts = ledger_.counts();
+  const MapSnapshot snapshot = stage_->snapshot();
+  if (snapshot.points.empty()) {
+    throw IoError("the map is still empty; ~flush decides the scans that wait for a verdict: " +
+                  toText(counts));
   }
-}
-
-void SegdfNodelet::take(Scan scan, const std_msgs::Header& header) {
-  const bool other_frame = frames_ > 0 && header.frame_id != header_.frame_id;
-  if (filter_->isBehind(scan) || other_frame) {
-    tell("restart", other_frame ? "the odometry frame has changed: starting anew"
-                                : "time has gone backwards: starting anew");
-    finishSession();
-    filter_->restart();
-  }
-  header_ = header;
-  publish(filter_->process(std::move(scan)));
-}
-
-void SegdfNodelet::finishSession() {
-  publish(filter_->flush());
-  publishMap();
-}
-
-void SegdfNodelet::publish(const std::vector<FrameResult>& frames) {
-  for (const FrameResult& frame : frames) {
-    outputs_->publish(frame, header_.frame_id);
-    check(frame);
-    const bool due = ++frames_ % static_cast<std::size_t>(parameters_.map_every) == 0;
-    if (due && outputs_->mapHasViewers()) publishMap();
-  }
-}
-
-void SegdfNodelet::publishMap() {
-  if (!filter_->map().empty()) outputs_->publishMap(filter_->map(), header_);
-}
-
-void SegdfNodelet::check(const FrameResult& frame) {
-  if (frame.status != FrameStatus::kMapped && frame.status != FrameStatus::kNotKeyFrame) {
-    tell("scan not mapped, " + toString(frame.status),
-         "stamp " + std::to_string(frame.scan.stampSeconds()) + " s");
-  }
-  if (filter_->isMisfit(frame)) {
-    tell("pose does not fit the scan",
-         "median misfit " + std::to_string(frame.pose_misfit) + " m to the key frame before");
-  }
-}
-
-void SegdfNodelet::tell(const std::string& kind, const std::string& what) {
-  if (!troubles_.count(kind)) return;
-  NODELET_WARN_STREAM(kind << " (" << troubles_.of(kind) << " so far): " << what);
+  const std::vector<MapPoint> points = thinned(snapshot.points, resolution);
+  exportMap(destination, points, snapshot.instances);
+  const std::size_t missing = counts.processed - counts.frames + counts.scansWaiting();
+  return std::to_string(points.size()) + " points in " + destination + " and " +
+         std::to_string(snapshot.instances.size()) + " instances in " +
+         instanceFileOf(destination).string() +
+         (missing == 0 ? std::string()
+                       : "; " + std::to_string(missing) +
+                             " scans are not in it yet: ~flush decides those in the window");
 }
 
 }  // namespace segdf

@@ -61,6 +61,7 @@ InstanceObservation observationOf(const KeyFrame& frame, std::size_t s) {
   const auto yaw = static_cast<double>(segment.box.yaw);
   const Eigen::Vector3d axis = pose.linear() * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0);
   seen.yaw = std::atan2(axis.y(), axis.x());
+  seen.velocity = instance.velocity;
   return seen;
 }
 

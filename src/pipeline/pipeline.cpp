@@ -12,6 +12,7 @@
 #include "segdf/dynamics/frame_segments.hpp"
 #include "segdf/dynamics/pose_misfit.hpp"
 #include "segdf/pipeline/frame_output.hpp"
+#include "segdf/pipeline/jump_detector.hpp"
 #include "segdf/pipeline/scan_gate.hpp"
 
 namespace segdf {
@@ -35,32 +36,48 @@ class Pipeline::Impl {
         threads_(threads),
         grid_(config.cvi, config.input.min_range),
         gate_(config.input),
+        jump_detector_(config.input.max_jump),
         filter_(makeDynamicFilter(config_, ids_, threads)) {}
 
   std::vector<FrameResult> process(Scan scan) {
-    const FrameStatus status = gate_.admit(scan);
-    if (status == FrameStatus::kMapped) {
-      addKeyFrame(std::move(scan));
-    } else {
-      entries_.push_back({next_index_++, rejectedResult(std::move(scan), status), nullptr});
-    }
-    return release(false);
+    std::vector<FrameResult> results;
+    const bool jump = jump_detector_.jumps(scan);
+    if (jump) results = decideAll();
+    enter(std::move(scan), jump);
+    for (FrameResult& result : release(false)) results.push_back(std::move(result));
+    return results;
   }
 
   std::vector<FrameResult> flush() {
+    jump_detector_ = JumpDetector(config_.input.max_jump);
+    return decideAll();
+  }
+
+ private:
+  std::vector<FrameResult> decideAll() {
     const Window window = keyFrames();
     for (std::size_t i = 0; i < window.size(); ++i) filter_->decide(window, i);
     gate_ = ScanGate(config_.input);
     return release(true);
   }
 
- private:
   /// A scan inside the window: a key frame, or the ready result of one that was turned away.
   struct Entry {
     std::size_t index = 0;
     FrameResult rejected;
     std::unique_ptr<KeyFrame> key;
+    bool after_jump = false;
   };
+
+  void enter(Scan scan, bool after_jump) {
+    const FrameStatus status = gate_.admit(scan);
+    if (status == FrameStatus::kMapped) {
+      addKeyFrame(std::move(scan));
+    } else {
+      entries_.push_back({next_index_++, rejectedResult(std::move(scan), status), nullptr});
+    }
+    entries_.back().after_jump = after_jump;
+  }
 
   /// Seg(P_k): segments, describes and classifies a scan, then lets the filter compare it.
   void addKeyFrame(Scan scan) {
@@ -104,6 +121,7 @@ class Pipeline::Impl {
       results.push_back(oldest.key ? mappedResult(std::move(*oldest.key))
                                    : std::move(oldest.rejected));
       results.back().index = oldest.index;
+      results.back().after_jump = oldest.after_jump;
       entries_.pop_front();
     }
     return results;
@@ -113,6 +131,7 @@ class Pipeline::Impl {
   int threads_;
   CurvedGrid grid_;
   ScanGate gate_;
+  JumpDetector jump_detector_;
   IdSource ids_;
   std::unique_ptr<DynamicFilter> filter_;
   std::deque<Entry> entries_;

@@ -16,6 +16,9 @@ using visualization_msgs::Marker;
 constexpr float kBoxAlpha = 0.35F;
 constexpr double kLeastSide = 0.05;    // metres; rviz complains about boxes without extent
 constexpr double kTextHeight = 0.6;    // metres
+constexpr double kArrowShaft = 0.15;   // metres
+constexpr double kArrowHead = 0.4;     // metres
+constexpr double kLeastSpeed = 0.2;    // m/s; below it an arrow would only jitter
 constexpr double kTextDistance = 0.5;  // metres above the box
 
 std_msgs::ColorRGBA verdictColour(bool dynamic, float alpha) {
@@ -68,6 +71,25 @@ Marker text(const InstanceObservation& instance, const std_msgs::Header& header)
   return marker;
 }
 
+/// From the box's centre to where it will be in a second.
+Marker arrow(const InstanceObservation& instance, const std_msgs::Header& header) {
+  Marker marker = markerOf(instance, header);
+  marker.ns = "motion/" + toString(instance.object_class);
+  marker.type = Marker::ARROW;
+  marker.pose.position = geometry_msgs::Point();  // the points are in the header's frame
+  marker.pose.orientation = tf2::toMsg(Eigen::Quaterniond::Identity());
+  marker.points = {tf2::toMsg(instance.center),
+                   tf2::toMsg(Eigen::Vector3d(instance.center + instance.velocity))};
+  marker.scale.x = kArrowShaft;
+  marker.scale.y = kArrowHead;
+  marker.color = verdictColour(instance.dynamic, 1.0F);
+  return marker;
+}
+
+bool isMover(const InstanceObservation& instance) {
+  return instance.dynamic && instance.velocity.norm() >= kLeastSpeed;
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray toMarkers(const FrameResult& frame, const std::string& frame_id) {
@@ -77,6 +99,7 @@ visualization_msgs::MarkerArray toMarkers(const FrameResult& frame, const std::s
   for (const InstanceObservation& instance : frame.instances) {
     markers.markers.push_back(box(instance, header));
     markers.markers.push_back(text(instance, header));
+    if (isMover(instance)) markers.markers.push_back(arrow(instance, header));
   }
   return markers;
 }

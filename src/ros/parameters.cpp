@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/ros/parameters.hpp"
 
+#include <functional>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include <yaml-cpp/yaml.h>
@@ -69,22 +71,80 @@ void readInteger(const std::string& name, XmlRpcValue& value, int max, int& targ
   target = value;
 }
 
+void readText(const std::string& name, XmlRpcValue& value, std::string& target) {
+  if (value.getType() != XmlRpcValue::TypeString) refuse(name, value, "text");
+  target = static_cast<std::string>(value);
+}
+
+void readFlag(const std::string& name, XmlRpcValue& value, bool& target) {
+  if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, value, "true or false");
+  target = value;
+}
+
+void readSeconds(const std::string& name, XmlRpcValue& value, double& target) {
+  const bool whole = value.getType() == XmlRpcValue::TypeInt;
+  const bool number = whole || value.getType() == XmlRpcValue::TypeDouble;
+  if (number) target = whole ? static_cast<int>(value) : static_cast<double>(value);
+  if (!number || !(target >= 0.0 && target <= 1.0)) refuse(name, value, "a number in [0, 1] s");
+}
+
+void readSensor(const std::string& name, XmlRpcValue& value, std::string& target) {
+  if (value.getType() != XmlRpcValue::TypeString) {
+    refuse(name, value, "the name of a sensor or auto");
+  }
+  target = static_cast<std::string>(value);
+}
+
+using Reader = std::function<void(const std::string&, XmlRpcValue&, NodeParameters&)>;
+
+template <class Value, class Read>
+Reader field(Value NodeParameters::*member, const Read& read) {
+  return [member, read](const std::string& name, XmlRpcValue& value, NodeParameters& node) {
+    read(name, value, node.*member);
+  };
+}
+
+Reader integer(int NodeParameters::*member, int max) {
+  return field(member, [max](const std::string& name, XmlRpcValue& value, int& target) {
+    readInteger(name, value, max, target);
+  });
+}
+
+const std::map<std::string, Reader>& readers() {
+  static const std::map<std::string, Reader> all{
+      {"sensor", field(&NodeParameters::sensor, readSensor)},
+      {"threads", integer(&NodeParameters::threads, 64)},
+      {"queue_size", integer(&NodeParameters::queue_size, 10000)},
+      {"map_every", integer(&NodeParameters::map_every, 10000)},
+      {"sync_slop", field(&NodeParameters::sync_slop, readSeconds)},
+      {"output_dir", field(&NodeParameters::output_dir, readText)},
+      {"player", field(&NodeParameters::player, readText)},
+      {"use_tf", field(&NodeParameters::use_tf, readFlag)},
+      {"map_frame", field(&NodeParameters::map_frame, readText)},
+      {"base_frame", field(&NodeParameters::base_frame, readText)},
+      {"sensor_frame", field(&NodeParameters::sensor_frame, readText)},
+  };
+  return all;
+}
+
 /// @return false if the nodelet itself has no such parameter
 bool readNodeParameter(const std::string& name, XmlRpcValue& value, NodeParameters& node) {
-  if (name == "sensor") {
-    if (value.getType() != XmlRpcValue::TypeString)
-      refuse(name, value, "the name of a sensor or auto");
-    node.sensor = static_cast<std::string>(value);
-  } else if (name == "threads") {
-    readInteger(name, value, 64, node.threads);
-  } else if (name == "queue_size") {
-    readInteger(name, value, 10000, node.queue_size);
-  } else if (name == "map_every") {
-    readInteger(name, value, 10000, node.map_every);
-  } else {
-    return false;
-  }
+  const auto reader = readers().find(name);
+  if (reader == readers().end()) return false;
+  reader->second(name, value, node);
   return true;
+}
+
+void checkFrames(const NodeParameters& node) {
+  if (node.use_tf && !node.base_frame.empty()) {
+    throw std::invalid_argument("parameter base_frame = " + node.base_frame +
+                                " says what odometry describes, but use_tf takes poses from tf: "
+                                "set one of the two");
+  }
+  if (!node.use_tf && node.base_frame.empty() && !node.sensor_frame.empty()) {
+    throw std::invalid_argument("parameter sensor_frame = " + node.sensor_frame +
+                                " needs base_frame (what odometry describes) or use_tf");
+  }
 }
 
 }  // namespace
@@ -98,6 +158,7 @@ PrivateParameters splitParameters(const XmlRpcValue& tree) {
       if (!readNodeParameter(name, value, parameters.node)) rest[name] = value;
     }
   }
+  checkFrames(parameters.node);
   if (rest.valid()) parameters.config_yaml = toYaml(rest);
   return parameters;
 }

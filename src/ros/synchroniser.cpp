@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/ros/synchroniser.hpp"
 
-#include <cstdint>
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include <Eigen/Geometry>
+#include <boost/make_shared.hpp>
+#include <tf2_eigen/tf2_eigen.h>
 
 namespace segdf {
 namespace {
@@ -10,31 +15,101 @@ namespace {
 using CloudPtr = sensor_msgs::PointCloud2ConstPtr;
 using OdometryPtr = nav_msgs::OdometryConstPtr;
 
+constexpr std::size_t kPosesPerCloud = 10;  // they are small, and may come at a higher rate
+
+double distance(const ros::Time& a, const ros::Time& b) { return std::abs((a - b).toSec()); }
+
+/// As it is, where there is nothing to interpolate.
+OdometryPtr poseAt(const ros::Time& stamp, const OdometryPtr& before, const OdometryPtr& after) {
+  if (before == after) return before;
+  return boost::make_shared<nav_msgs::Odometry>(interpolate(*before, *after, stamp));
+}
+
 }  // namespace
 
-Synchroniser::Synchroniser(std::size_t queue_size, PairCallback on_pair)
-    : on_pair_(std::move(on_pair)), pairs_(Policy(static_cast<std::uint32_t>(queue_size))) {
-  pairs_.registerCallback(&Synchroniser::onPair, this);
-  pairs_.getPolicy()->registerDropCallback(&Synchroniser::onDrop, this);
-}
+Synchroniser::Synchroniser(std::size_t queue_size, double slop, PairCallback on_pair)
+    : queue_size_(queue_size), slop_(slop), on_pair_(std::move(on_pair)) {}
 
 void Synchroniser::addCloud(const CloudPtr& cloud) {
   ++counts_.clouds;
-  pairs_.add<0>(ros::MessageEvent<const sensor_msgs::PointCloud2>(cloud, cloud->header.stamp));
+  clouds_.push_back(cloud);
+  pairUp();
+  if (clouds_.size() <= queue_size_) return;
+  clouds_.pop_front();
+  ++counts_.unmatched;
 }
 
 void Synchroniser::addOdometry(const OdometryPtr& odometry) {
   ++counts_.poses;
-  pairs_.add<1>(ros::MessageEvent<const nav_msgs::Odometry>(odometry, odometry->header.stamp));
+  poses_.push_back(odometry);
+  if (poses_.size() > kPosesPerCloud * queue_size_) poses_.pop_front();
+  pairUp();
 }
 
-void Synchroniser::onPair(const CloudPtr& cloud, const OdometryPtr& odometry) {
-  ++counts_.pairs;
-  on_pair_(cloud, odometry);
+void Synchroniser::pairUp() {
+  while (pairOne()) {
+  }
 }
 
-void Synchroniser::onDrop(const CloudPtr& cloud, const OdometryPtr& /*odometry*/) {
-  if (cloud) ++counts_.unmatched;
+/// Each topic comes in its order: what came before either half of a pair finds no partner any more.
+bool Synchroniser::pairOne() {
+  for (std::size_t k = 0; k < clouds_.size(); ++k) {
+    const CloudPtr cloud = clouds_[k];
+    const std::optional<Neighbours> found = find(cloud->header.stamp);
+    if (!found) continue;
+    const OdometryPtr pose =
+        poseAt(cloud->header.stamp, poses_[found->before], poses_[found->after]);
+    const auto first_pose = static_cast<std::ptrdiff_t>(std::min(found->before, found->after));
+    poses_.erase(poses_.begin(), poses_.begin() + first_pose + (slop_ > 0.0 ? 0 : 1));
+    clouds_.erase(clouds_.begin(), clouds_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    counts_.unmatched += k;
+    ++counts_.pairs;
+    on_pair_(cloud, pose);
+    return true;
+  }
+  return false;
+}
+
+std::optional<Synchroniser::Neighbours> Synchroniser::find(const ros::Time& stamp) const {
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    if (poses_[i]->header.stamp == stamp) return Neighbours{i, i};
+  }
+  return slop_ > 0.0 ? findAround(stamp) : std::nullopt;
+}
+
+std::optional<Synchroniser::Neighbours> Synchroniser::findAround(const ros::Time& stamp) const {
+  std::optional<std::size_t> before;
+  std::optional<std::size_t> after;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const ros::Time& time = poses_[i]->header.stamp;
+    if (time < stamp && (!before || time > poses_[*before]->header.stamp)) before = i;
+    if (time > stamp && (!after || time < poses_[*after]->header.stamp)) after = i;
+  }
+  if (!after) return std::nullopt;  // it may still come
+  if (!before) before = after;
+  const double nearest = std::min(distance(stamp, poses_[*before]->header.stamp),
+                                  distance(stamp, poses_[*after]->header.stamp));
+  return nearest <= slop_ ? std::optional(Neighbours{*before, *after}) : std::nullopt;
+}
+
+nav_msgs::Odometry interpolate(const nav_msgs::Odometry& before,
+                               const nav_msgs::Odometry& after,
+                               const ros::Time& stamp) {
+  Eigen::Vector3d from;
+  Eigen::Vector3d to;
+  Eigen::Quaterniond from_turn;
+  Eigen::Quaterniond to_turn;
+  tf2::fromMsg(before.pose.pose.position, from);
+  tf2::fromMsg(after.pose.pose.position, to);
+  tf2::fromMsg(before.pose.pose.orientation, from_turn);
+  tf2::fromMsg(after.pose.pose.orientation, to_turn);
+  const double share =
+      (stamp - before.header.stamp).toSec() / (after.header.stamp - before.header.stamp).toSec();
+  nav_msgs::Odometry between = before;
+  between.header.stamp = stamp;
+  between.pose.pose.position = tf2::toMsg(Eigen::Vector3d(from + share * (to - from)));
+  between.pose.pose.orientation = tf2::toMsg(from_turn.slerp(share, to_turn));
+  return between;
 }
 
 }  // namespace segdf

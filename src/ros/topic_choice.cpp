@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include <nav_msgs/Odometry.h>
-#include <sensor_msgs/PointCloud2.h>
+#include <ros/master.h>
 
 #include "segdf/io/scan_source.hpp"
 #include "segdf/ros/topics.hpp"
@@ -78,6 +77,22 @@ void refuseFeaturesAlone(const TopicTypes& topics,
 
 }  // namespace
 
+TopicTypes topicsOnAir() {
+  ros::master::V_TopicInfo published;
+  ros::master::getTopics(published);
+  TopicTypes topics;
+  for (const ros::master::TopicInfo& topic : published) topics[topic.name] = topic.datatype;
+  return topics;
+}
+
+std::string topicsOfType(const TopicTypes& topics, const std::string& type) {
+  std::string names;
+  for (const auto& [name, its_type] : topics) {
+    if (its_type == type) names.append(names.empty() ? "" : ", ").append(name);
+  }
+  return names.empty() ? "no topic" : names;
+}
+
 std::string chooseCloudTopic(const TopicTypes& topics,
                              const std::string& wanted,
                              const std::string& where) {
@@ -86,16 +101,14 @@ std::string chooseCloudTopic(const TopicTypes& topics,
       orDefault(wanted, {topics::kRegisteredCloud, topics::kDeskewedCloud});
   if (wanted.empty()) refuseFeaturesAlone(topics, names, where);
   return choose(topics,
-                {"cloud", names, ros::message_traits::DataType<sensor_msgs::PointCloud2>::value()},
+                {"cloud", names, topics::kCloudType},
                 where);
 }
 
 std::string chooseOdometryTopic(const TopicTypes& topics,
                                 const std::string& wanted,
                                 const std::string& where) {
-  return choose(topics,
-                {"odometry", orDefault(wanted, {topics::kOdometry}),
-                 ros::message_traits::DataType<nav_msgs::Odometry>::value()},
+  return choose(topics, {"odometry", orDefault(wanted, {topics::kOdometry}), topics::kOdometryType},
                 where);
 }
 

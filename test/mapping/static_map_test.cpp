@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/mapping/static_map.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,19 @@ TEST(StaticMap, NegativeCoordinatesHaveTheirOwnVoxels) {
 }
 
 TEST(StaticMap, RefusesAVoxelOfZero) { EXPECT_THROW(StaticMap(0.0), std::invalid_argument); }
+
+TEST(Thinned, KeepsTheFirstPointOfEachVoxel) {
+  const std::vector<MapPoint> points{{0.1F, 0.0F, 0.0F, 0.0F, 1, 0},
+                                     {0.4F, 0.0F, 0.0F, 0.0F, 2, 0},
+                                     {0.6F, 0.0F, 0.0F, 0.0F, 3, 0}};
+  const std::vector<MapPoint> coarse = thinned(points, 0.5);
+  ASSERT_EQ(coarse.size(), 2U);
+  EXPECT_EQ(coarse[0].label, 1U);
+  EXPECT_EQ(coarse[1].label, 3U);
+  EXPECT_EQ(thinned(points, 0.0).size(), 3U) << "0 keeps all";
+  EXPECT_THROW(thinned(points, -0.1), std::invalid_argument);
+  EXPECT_THROW(thinned(points, std::nan("")), std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace segdf

@@ -70,6 +70,25 @@ TEST(Pipeline, InLiteralModeAFrameLeavesWhenTheWindowOfTwoIsFull) {
   EXPECT_TRUE(pipeline.flush().empty());
 }
 
+TEST(Pipeline, AJumpOfThePoseDecidesTheWindowAndStartsAnew) {
+  std::vector<Scan> drive = makeDrive(8);
+  for (std::size_t k = 5; k < 8; ++k) drive[k].pose.translation().y() += 3.0;
+  Pipeline pipeline(Config{}, 1);
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_TRUE(pipeline.process(drive[k]).empty());
+  const std::vector<FrameResult> before = pipeline.process(drive[5]);
+  ASSERT_EQ(before.size(), 5U);
+  std::vector<FrameResult> alone = run({drive.begin(), drive.begin() + 5});
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(before[k].labels, alone[k].labels) << "as if the drive had ended there";
+    EXPECT_FALSE(before[k].after_jump);
+  }
+  const std::vector<FrameResult> after = run(pipeline, {drive.begin() + 6, drive.end()});
+  ASSERT_EQ(after.size(), 3U);
+  EXPECT_TRUE(after[0].after_jump);
+  EXPECT_FALSE(after[1].after_jump);
+  EXPECT_EQ(after[0].index, 5U);
+}
+
 TEST(Pipeline, TheDelayIsNoLongerThanTheWindow) {
   const std::vector<Scan> drive = makeDrive(6);
   Config config;

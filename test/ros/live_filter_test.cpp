@@ -70,9 +70,10 @@ TEST_F(LiveFilterTest, AutoIsRecognisedOnTheFirstScanOnlyAndTold) {
 
 TEST_F(LiveFilterTest, StartsAnewWhenTimeGoesBackwards) {
   LiveFilter filter = filterFor("hdl64");
-  EXPECT_FALSE(filter.isBehind(scanAt(7))) << "nothing came before";
-  filter.process(scanAt(7));
-  EXPECT_FALSE(filter.isBehind(scanAt(7)));
+  EXPECT_FALSE(filter.isBehind(scanAt(17))) << "nothing came before";
+  filter.process(scanAt(17));
+  EXPECT_FALSE(filter.isBehind(scanAt(17)));
+  EXPECT_FALSE(filter.isBehind(scanAt(8))) << "out of order";
   EXPECT_TRUE(filter.isBehind(scanAt(3)));
   filter.flush();
   filter.restart();
@@ -82,6 +83,20 @@ TEST_F(LiveFilterTest, StartsAnewWhenTimeGoesBackwards) {
   const std::vector<FrameResult> rest = filter.flush();
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_EQ(rest[0].status, FrameStatus::kMapped);
+}
+
+TEST_F(LiveFilterTest, SnapshotStaysWhatItWas) {
+  LiveFilter filter = filterFor("hdl64");
+  EXPECT_TRUE(filter.snapshot().points.empty());
+  filter.process(scanAt(1));
+  filter.flush();
+  const MapSnapshot snapshot = filter.snapshot();
+  EXPECT_EQ(snapshot.points.size(), filter.map().size());
+  EXPECT_FALSE(snapshot.points.empty());
+  filter.restart();
+  EXPECT_FALSE(snapshot.points.empty());
+  EXPECT_TRUE(filter.snapshot().points.empty());
+  EXPECT_TRUE(filter.snapshot().instances.empty());
 }
 
 TEST_F(LiveFilterTest, FlushBeforeTheFirstScanGivesNothing) {

@@ -11,6 +11,7 @@
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/ros/colours.hpp"
 #include "segdf/ros/conversions.hpp"
+#include "segdf/ros/instance_messages.hpp"
 #include "segdf/ros/markers.hpp"
 
 #include "ros/sample_scan.hpp"
@@ -89,6 +90,79 @@ TEST(Colours, NeighbouringInstancesDiffer) {
     EXPECT_NE(pack(colourOf(semantic_kitti::kCar, instance)),
               pack(colourOf(semantic_kitti::kCar, instance + 1)));
   }
+}
+
+TEST(Markers, OnlyWhatMovesAndWasFollowedGetsAnArrow) {
+  FrameResult frame = sampleFrame();
+  InstanceObservation parked;
+  parked.center = {1.0, 2.0, 0.5};
+  parked.velocity = {3.0, 0.0, 0.0};  // the next car's box taken for it
+  InstanceObservation mover = parked;
+  mover.dynamic = true;
+  InstanceObservation lost = mover;
+  lost.velocity.setZero();
+  frame.instances = {parked, mover, lost};
+  std::vector<Marker> arrows;
+  for (const Marker& marker : toMarkers(frame, "odom").markers) {
+    if (marker.type == Marker::ARROW && marker.action == Marker::ADD) arrows.push_back(marker);
+  }
+  ASSERT_EQ(arrows.size(), 1U);
+  ASSERT_EQ(arrows[0].points.size(), 2U);
+  EXPECT_EQ(arrows[0].points[0].x, 1.0);
+  EXPECT_EQ(arrows[0].points[1].x, 4.0);
+  EXPECT_EQ(arrows[0].pose.orientation.w, 1.0);
+}
+
+TEST(InstanceMessages, HoldWhatTheFrameSays) {
+  FrameResult frame = sampleFrame();
+  InstanceObservation car;
+  car.id = kWholeId;
+  car.parent = 3;
+  car.object_class = ObjectClass::kHighMobility;
+  car.dynamic = true;
+  car.points = 42;
+  car.dynamic_votes = 5;
+  car.needed_votes = 3;
+  car.reason = Reason::kTrack;
+  car.center = {1.0, 2.0, 3.0};
+  car.size = {4.0, 2.0, 1.5};
+  car.velocity = {0.0, 7.0, 0.0};
+  frame.instances = {car};
+  const LabelledInstanceArray array = toInstances(frame, "odom");
+  EXPECT_EQ(array.header.stamp, ros::Time(2, 0));
+  EXPECT_EQ(array.header.frame_id, "odom");
+  ASSERT_EQ(array.instances.size(), 1U);
+  const LabelledInstance& message = array.instances[0];
+  EXPECT_EQ(message.id, kWholeId);
+  EXPECT_EQ(message.parent, 3U);
+  EXPECT_EQ(message.object_class, LabelledInstance::CLASS_HIGH_MOBILITY);
+  EXPECT_EQ(message.class_name, "high_mobility");
+  EXPECT_TRUE(message.dynamic);
+  EXPECT_EQ(message.points, 42U);
+  EXPECT_EQ(message.pose.position.z, 3.0);
+  EXPECT_EQ(message.size.x, 4.0);
+  EXPECT_EQ(message.velocity.y, 7.0);
+  EXPECT_EQ(message.dynamic_votes, 5U);
+  EXPECT_EQ(message.needed_votes, 3U);
+  EXPECT_EQ(message.reason, "track");
+}
+
+TEST(InstanceMessages, ReportCountsEveryPointOnce) {
+  FrameResult frame = sampleFrame();
+  frame.index = 17;
+  frame.pose_misfit = 0.05;
+  frame.times.ground = 0.25;
+  frame.times.dynamics = 0.5;
+  const FrameReport report = toReport(frame, "odom");
+  EXPECT_EQ(report.index, 17U);
+  EXPECT_EQ(report.status, FrameReport::MAPPED);
+  EXPECT_EQ(report.points_unjudged, 1U);
+  EXPECT_EQ(report.points_ground, 1U);
+  EXPECT_EQ(report.points_static, 1U);
+  EXPECT_EQ(report.points_dynamic, 1U);
+  EXPECT_EQ(report.points_noise, 1U);
+  EXPECT_FLOAT_EQ(report.pose_misfit, 0.05F);
+  EXPECT_FLOAT_EQ(report.processing_time, 0.75F);
 }
 
 TEST(Markers, BoxAndTextForEachInstanceAfterDeleteAll) {

@@ -79,6 +79,44 @@ TEST(Parameters, WrongNodeParametersAreNamedWithValueAndBound) {
   EXPECT_EQ(refusal(number), "parameter sensor = 64 must be the name of a sensor or auto");
 }
 
+TEST(Parameters, EveryKindOfNodeParameterIsRead) {
+  XmlRpcValue tree;
+  tree["sync_slop"] = 0.05;
+  tree["output_dir"] = "/tmp/out";
+  tree["use_tf"] = true;
+  tree["map_frame"] = "map";
+  tree["sensor_frame"] = "velodyne";
+  const NodeParameters node = splitParameters(tree).node;
+  EXPECT_EQ(node.sync_slop, 0.05);
+  EXPECT_EQ(node.output_dir, "/tmp/out");
+  EXPECT_TRUE(node.use_tf);
+  EXPECT_EQ(node.map_frame, "map");
+  EXPECT_EQ(node.sensor_frame, "velodyne");
+  EXPECT_EQ(NodeParameters().map_frame, "odom");
+}
+
+TEST(Parameters, WrongTypesAreNamed) {
+  XmlRpcValue slop;
+  slop["sync_slop"] = 5;
+  EXPECT_EQ(refusal(slop), "parameter sync_slop = 5 must be a number in [0, 1] s");
+  XmlRpcValue flag;
+  flag["use_tf"] = "yes";
+  EXPECT_EQ(refusal(flag), "parameter use_tf = yes must be true or false");
+  XmlRpcValue text;
+  text["output_dir"] = 7;
+  EXPECT_EQ(refusal(text), "parameter output_dir = 7 must be text");
+}
+
+TEST(Parameters, FramesThatContradictEachOtherAreRefused) {
+  XmlRpcValue both;
+  both["use_tf"] = true;
+  both["base_frame"] = "base_link";
+  EXPECT_TRUE(test::contains(refusal(both), "set one of the two"));
+  XmlRpcValue alone;
+  alone["sensor_frame"] = "velodyne";
+  EXPECT_TRUE(test::contains(refusal(alone), "needs base_frame"));
+}
+
 TEST(Parameters, ConfigurationLiesOnTopOfTheSensors) {
   XmlRpcValue tree;
   tree["ground"]["th_seed"] = 0.35;

@@ -15,7 +15,7 @@ check() {
   [ -z "$bad" ] || { printf '%s may not include:\n%s\n' "$room" "$bad"; status=1; }
 }
 
-ros='ros/|rosbag/|nodelet/|pluginlib/|tf2|message_filters/|[a-z_]*_msgs/|std_srvs/|pcl_ros/|pcl_conversions/'
+ros='ros/|rosbag/|nodelet/|pluginlib/|tf2|message_filters/|[a-z_]*_msgs/|std_srvs/|diagnostic_updater/|dynamic_reconfigure/|pcl_ros/|pcl_conversions/|segdf/[A-Z]'  # and our own messages
 outside="$ros|pcl/|yaml-cpp/|nlohmann/|png|embree3/|CLI/"
 check core 'core' "$outside"
 check segmentation 'core segmentation' "$outside"

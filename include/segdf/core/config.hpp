@@ -29,6 +29,7 @@ struct InputConfig {
   double keyframe_distance = 0.0;
   double keyframe_angle = 0.0;
   double max_misfit = 0.10;
+  double max_jump = 1.0;
 
   template <class Self, class Visitor>
   static void visit(Self& s, Visitor& v) {
@@ -43,6 +44,9 @@ struct InputConfig {
              "turn that makes a key frame however short the way; 0 = way only");
     v.number("max_misfit", s.max_misfit, 0.01, 10.0, "m",
              "warn when the median misfit of consecutive key frames is above");
+    v.number("max_jump", s.max_jump, 0.0, 1000.0, "m",
+             "a pose that motion does not explain by more is a loop closure: the window is decided "
+             "and starts anew; 0 = never");
   }
 };
 

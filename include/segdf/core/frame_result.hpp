@@ -63,6 +63,8 @@ struct InstanceObservation {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< box centre in the map frame, metres
   Eigen::Vector3d size = Eigen::Vector3d::Zero();    ///< length >= width, height; metres
   double yaw = 0.0;                                  ///< of the length axis in the map frame, rad
+  /// Of the box's centre along its track, map frame, m/s; zero where it was not followed.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 };
 
 /// Seconds spent in each stage on one frame. For reports only; nothing is decided by it.
@@ -78,6 +80,7 @@ struct StageTimes {
 struct FrameResult {
   std::size_t index = 0;  ///< running number of the scan, from 0, as given to Pipeline::process
   FrameStatus status = FrameStatus::kMapped;
+  bool after_jump = false;                     ///< its pose jumped: the window started anew with it
   Scan scan;                                   ///< as given
   std::vector<PointLabel> labels;              ///< one for each point of `scan`
   std::vector<InstanceObservation> instances;  ///< ordered by id

@@ -14,12 +14,19 @@ namespace segdf {
 /// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic
 /// when its track was proven to move: by at least two members of its size in the window, unless the
 /// instance itself was found again over and over, or by many members, in the past too, and
-/// df.semi_static says that what moved at any time goes (a car that stops at lights). Memory:
-/// tracks that have left the window are forgotten.
+/// df.semi_static says that what moved at any time goes (a car that stops at lights); not so where
+/// it was found again by frames in which the track moved elsewhere: then another object stands
+/// here, and the id has passed on to it. Memory: tracks that have left the window are forgotten.
 class TrackBook {
  public:
-  /// Sizes of instances that the votes made dynamic, metres, by id.
-  using Sizes = std::map<std::uint32_t, std::vector<Eigen::Vector3f>>;
+  /// An instance that the votes made dynamic.
+  struct Proof {
+    std::size_t scan = 0;                              ///< running number
+    Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
+  };
+  /// By id; those of one id in the order of their scans.
+  using Proofs = std::map<std::uint32_t, std::vector<Proof>>;
 
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
 
@@ -31,8 +38,10 @@ class TrackBook {
   void note(const KeyFrame& frame);
 
  private:
+  bool moves(const KeyFrame& frame, std::size_t segment, const Proofs& present) const;
+
   DynamicConfig config_;
-  Sizes past_;  ///< of tracks that the last frame had
+  Proofs past_;  ///< of tracks that the last frame had
 };
 
 }  // namespace segdf

@@ -29,6 +29,10 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
                    ObjectClass object_class,
                    const DynamicConfig& config);
 
+/// True when a pair that is kParkedSeconds or more apart found a segment again where it is, for the
+/// most part. @param points of the segment
+bool isFoundAgain(const PairVote& vote, std::size_t points, const DynamicConfig& config);
+
 /// True when a segment was found again where it is, for the most part, by at least df.keep_hits
 /// frames that are kParkedSeconds or more away: whatever its track did, here it stands.
 bool isParked(const std::vector<PairVote>& votes, std::size_t points, const DynamicConfig& config);

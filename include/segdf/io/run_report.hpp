@@ -37,6 +37,8 @@ class RunReport {
   std::size_t firstOf(FrameStatus status) const {
     return first_of_status_[static_cast<std::size_t>(status)];
   }
+  /// Times the pose jumped and the window started anew.
+  std::size_t jumps() const { return jumps_; }
   std::size_t nonFinitePoints() const { return non_finite_points_; }
   /// Median over key frames, metres; NaN when it was never measurable.
   double medianMisfit() const;
@@ -58,6 +60,7 @@ class RunReport {
   std::array<std::size_t, 5> by_status_{};        ///< indexed by FrameStatus
   std::array<std::size_t, 5> first_of_status_{};  ///< indexed by FrameStatus
   std::array<std::size_t, 5> by_state_{};         ///< points, indexed by PointState
+  std::size_t jumps_ = 0;
   std::size_t non_finite_points_ = 0;
   std::size_t instances_ = 0;
   std::size_t removed_instances_ = 0;

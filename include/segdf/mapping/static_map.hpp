@@ -20,6 +20,7 @@ class StaticMap {
 
   /// Adds the ground, static and noise points of a mapped frame. A voxel keeps its first point.
   void add(const FrameResult& frame);
+  void add(const MapPoint& point);
 
   /// In the order in which the voxels were first seen.
   const std::vector<MapPoint>& points() const { return points_; }
@@ -35,5 +36,9 @@ class StaticMap {
   std::unordered_map<Eigen::Vector3i, std::size_t, KeyHash> index_;
   std::vector<MapPoint> points_;
 };
+
+/// The points on a coarser grid: the first of each voxel. @param voxel metres; 0 = all points
+/// @throws std::invalid_argument if it is below 0 or not finite
+std::vector<MapPoint> thinned(const std::vector<MapPoint>& points, double voxel);
 
 }  // namespace segdf

@@ -11,12 +11,13 @@
 
 #include "segdf/core/frame_result.hpp"
 #include "segdf/mapping/map_point.hpp"
+#include "segdf/nodelets/ledger.hpp"
 
 namespace segdf {
 
 /// What the nodelet publishes in its private namespace: static_cloud, dynamic_cloud,
-/// labelled_cloud, markers, and the latched static_map. Nothing is made for a topic to which nobody
-/// listens.
+/// labelled_cloud, instances, markers, frame_report, and the latched static_map. Nothing is made
+/// for a topic to which nobody listens.
 class OutputTopics {
  public:
   /// @param queue_size messages that may wait for a slow subscriber
@@ -24,7 +25,8 @@ class OutputTopics {
   OutputTopics(ros::NodeHandle& node, int queue_size, const std::function<void()>& on_map_viewer);
 
   /// @param frame_id of the map frame
-  void publish(const FrameResult& frame, const std::string& frame_id);
+  /// @param counts of everything until now
+  void publish(const FrameResult& frame, const std::string& frame_id, const Counts& counts);
 
   bool mapHasViewers() const { return static_map_.getNumSubscribers() > 0; }
   void publishMap(const std::vector<MapPoint>& points, const std_msgs::Header& header);
@@ -33,7 +35,9 @@ class OutputTopics {
   ros::Publisher static_cloud_;
   ros::Publisher dynamic_cloud_;
   ros::Publisher labelled_cloud_;
+  ros::Publisher instances_;
   ros::Publisher markers_;
+  ros::Publisher frame_report_;
   ros::Publisher static_map_;
 };
 

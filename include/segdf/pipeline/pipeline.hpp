@@ -17,8 +17,9 @@ namespace segdf {
 /// of key frames, in the order in which they went in, each exactly once and with a label for every
 /// point. flush() returns what is still inside. The result is a function of scans and
 /// configuration: it does not depend on the number of threads, on the clock, or on how long the
-/// caller waits between scans. Memory is bounded by the window, not by the length of the drive. Not
-/// thread-safe.
+/// caller waits between scans. Where the pose jumps (input.max_jump), the window is decided as by
+/// flush() and the scan starts a new one. Memory is bounded by the window, not by the length of the
+/// drive. Not thread-safe.
 class Pipeline {
  public:
   /// @param threads worker threads, at least 1

@@ -10,7 +10,8 @@
 namespace segdf {
 
 /// A box (namespace "box/<class>") and a text with id and class ("text/<class>") for each instance
-/// of the frame, in the map frame: red if dynamic, green if static. The namespaces let rviz hide a
+/// of the frame, in the map frame: red if dynamic, green if static. A mover that was followed gets
+/// an arrow ("motion/<class>") as long as its way in one second. The namespaces let rviz hide a
 /// class. The first marker deletes those of the frame before.
 visualization_msgs::MarkerArray toMarkers(const FrameResult& frame, const std::string& frame_id);
 

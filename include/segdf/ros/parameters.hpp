@@ -6,6 +6,7 @@
 #include <XmlRpcValue.h>
 
 #include "segdf/core/config.hpp"
+#include "segdf/ros/topics.hpp"
 
 namespace segdf {
 
@@ -14,9 +15,16 @@ struct NodeParameters {
   static constexpr const char* kAutoSensor = "auto";
 
   std::string sensor = kAutoSensor;  ///< file in cfg/sensors, or recognised on the first scan
-  int threads = 2;       ///< worker threads of the pipeline, 1 to 64; no influence on results
-  int queue_size = 100;  ///< scans that may wait for the filter, 1 to 10000
-  int map_every = 10;    ///< frames between two messages on ~static_map, 1 to 10000
+  int threads = 2;         ///< worker threads of the pipeline, 1 to 64; no influence on results
+  int queue_size = 100;    ///< scans that may wait for the filter, 1 to 10000
+  int map_every = 10;      ///< frames between two messages on ~static_map, 1 to 10000
+  double sync_slop = 0.0;  ///< seconds, 0 to 1: see Synchroniser
+  std::string output_dir;  ///< where drives are written as segdf_offline does; empty: nowhere
+  std::string player;      ///< node of `rosbag play` that is held while the queue is full
+  bool use_tf = false;     ///< poses from tf instead of odometry
+  std::string map_frame = topics::kOdometryFrame;  ///< use_tf: frame of the map
+  std::string base_frame;    ///< what odometry gives the pose of; empty: the sensor
+  std::string sensor_frame;  ///< empty: the cloud's own, or base_frame if that is the map's
 };
 
 /// The private parameters, taken apart.

@@ -9,6 +9,12 @@ namespace segdf {
 /// Topics and their types, e.g. those of a bag.
 using TopicTypes = std::map<std::string, std::string>;
 
+/// The topics that the ROS master knows a publisher of; none when it does not answer.
+TopicTypes topicsOnAir();
+
+/// "/a, /b", or "no topic".
+std::string topicsOfType(const TopicTypes& topics, const std::string& type);
+
 /// The topic to take clouds from, as `topics` spells it.
 /// @param wanted name with or without leading slash; empty: LIO-SAM's registered, else its deskewed
 /// cloud

@@ -14,6 +14,9 @@ constexpr const char* kFeatureCloud = "/lio_sam/mapping/cloud_registered";
 constexpr const char* kOdometry = "/lio_sam/mapping/odometry";
 constexpr const char* kTf = "/tf";
 
+constexpr const char* kCloudType = "sensor_msgs/PointCloud2";
+constexpr const char* kOdometryType = "nav_msgs/Odometry";
+
 constexpr const char* kOdometryFrame = "odom";
 constexpr const char* kOdometryChildFrame = "odom_mapping";
 constexpr const char* kSensorFrame = "base_link";
