@@ -141,6 +141,7 @@ struct IntensityConfig {
        {IntensityProfile::kLiteral, "literal"}}};
 
   IntensityProfile profile = IntensityProfile::kKittiHdl64;
+  double full_scale = 0.0;
   double r_ref = 10.0;
   double r_near = 10.0;
   double r_cap = 60.0;
@@ -150,6 +151,8 @@ struct IntensityConfig {
   static void visit(Self& s, Visitor& v) {
     v.choice("profile", s.profile, kProfiles,
              "how the sensor's intensity depends on range and angle");
+    v.number("full_scale", s.full_scale, 0.0, 1e6, "",
+             "sensor value that becomes 1, at r_ref and facing; 0 = the profile's");
     v.number("r_ref", s.r_ref, 0.1, 100.0, "m", "range at which the calibration changes nothing");
     v.number("r_near", s.r_near, 0.1, 100.0, "m", "nearer points are treated as at this range");
     v.number("r_cap", s.r_cap, 1.0, 300.0, "m", "farther points are treated as at this range");
