@@ -13,6 +13,7 @@
 
 #include "progress.hpp"
 #include "run_app.hpp"
+#include "segment_dump.hpp"
 
 namespace segdf::apps {
 
@@ -56,15 +57,15 @@ std::optional<Scan> OfflineRunner::nextScan(ScanSource& source) {
 
 void OfflineRunner::filter(ScanSource& source,
                            std::optional<Scan> scan,
-                           DriveWriter& writer,
-                           const Config& config) {
+                           const Config& config,
+                           const std::function<void(const FrameResult&)>& take) {
   Pipeline pipeline(config, options_.threads);
   Progress progress(source.size());
   for (std::size_t done = 1; scan; scan = nextScan(source), ++done) {
-    for (const FrameResult& frame : pipeline.process(std::move(*scan))) writer.add(frame);
+    for (const FrameResult& frame : pipeline.process(std::move(*scan))) take(frame);
     progress.show(done);
   }
-  for (const FrameResult& frame : pipeline.flush()) writer.add(frame);
+  for (const FrameResult& frame : pipeline.flush()) take(frame);
   progress.finish();
 }
 
@@ -105,12 +106,19 @@ int OfflineRunner::run() {
   if (!first && !break_off_.empty()) throw IoError(break_off_);
   if (!first) throw IoError("no scan in " + source->describe());
   const Config config = configure(first);
+  std::optional<SegmentDump> dump;
+  if (!options_.segments.empty()) dump.emplace(options_.segments);
   DriveWriter writer(options_.output, config);
   writer.report().setSetting({source->describe(), sensor_,
                               nameOf(config.df.mode, DynamicConfig::kModes), options_.threads});
   try {
-    filter(*source, std::move(first), writer, config);
-    return finish(writer, config);
+    filter(*source, std::move(first), config, [&](const FrameResult& frame) {
+      writer.add(frame);
+      if (dump) dump->add(frame);
+    });
+    const int code = finish(writer, config);
+    if (dump) dump->finish();
+    return code;
   } catch (const IoError& error) {
     writer.salvage();
     throw IoError(std::string(error.what()) + " (what was computed is in " +

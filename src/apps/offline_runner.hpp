@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,8 +37,8 @@ class OfflineRunner {
   std::optional<Scan> nextScan(ScanSource& source);
   void filter(ScanSource& source,
               std::optional<Scan> scan,
-              DriveWriter& writer,
-              const Config& config);
+              const Config& config,
+              const std::function<void(const FrameResult&)>& take);
   int finish(DriveWriter& writer, const Config& config);
 
   OfflineOptions options_;

@@ -15,6 +15,8 @@ void addOptions(CLI::App& app, OfflineOptions& options) {
   auto* print = app.add_flag("--print-config", "print all parameters with their defaults and stop");
   addDriveOptions(app, options.input);
   app.add_option("--output", options.output, "folder for the results");
+  app.add_option("--dump-segments", options.segments,
+                 "folder for a coloured cloud and picture of each scan, by instance and by class");
   app.add_option("--mode", options.mode,
                  "dynamic filter: segdf (default) or literal, the algorithm as printed");
   app.add_option("--threads", options.threads, "worker threads (default 1); same results with any")
