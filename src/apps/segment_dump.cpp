@@ -72,12 +72,12 @@ std::vector<ColouredMapPoint> colour(const FrameResult& frame, const Colouring& 
 
 /// From below to above, the ground first: what is drawn later covers what was drawn before.
 void sortForDrawing(std::vector<ColouredMapPoint>& points) {
-  const auto isObject = [](const ColouredMapPoint& p) {
+  const auto is_object = [](const ColouredMapPoint& p) {
     return p.point.label != semantic_kitti::kRoad;
   };
   std::stable_sort(points.begin(), points.end(),
                    [&](const ColouredMapPoint& a, const ColouredMapPoint& b) {
-                     if (isObject(a) != isObject(b)) return isObject(b);
+                     if (is_object(a) != is_object(b)) return is_object(b);
                      return a.point.z < b.point.z;
                    });
 }
