@@ -9,13 +9,11 @@
 #include <utility>
 
 #include "segdf/io/config_yaml.hpp"
-#include "segdf/io/kitti_source.hpp"
 #include "segdf/pipeline/pipeline.hpp"
-#include "segdf/ros/bag_source.hpp"
-#include "segdf/segmentation/sensor_recognition.hpp"
 
 #include "progress.hpp"
 #include "run_app.hpp"
+#include "segment_dump.hpp"
 
 namespace segdf::apps {
 
@@ -37,48 +35,13 @@ constexpr std::array<FrameStatus, 3> kBadStatuses{FrameStatus::kEmpty, FrameStat
 
 }  // namespace
 
-void OfflineRunner::warn(const std::string& message) const {
-  std::cerr << "warning: " << message << '\n';
-}
-
-std::unique_ptr<ScanSource> OfflineRunner::openSource() const {
-  if (!options_.bag.empty()) {
-    auto bag = std::make_unique<BagSource>(
-        options_.bag, BagTopics{options_.cloud_topic, options_.odometry_topic});
-    if (bag->unmatched() > 0) {
-      warn(std::to_string(bag->unmatched()) + " clouds on " + bag->topics().cloud +
-           " have no pose of the same stamp on " + bag->topics().odometry + " and are left out");
-    }
-    return bag;
-  }
-  const FrameRange frames =
-      options_.frames.empty() ? FrameRange{} : parseFrameRange(options_.frames);
-  auto folder = std::make_unique<KittiSource>(options_.kitti, options_.rate, frames);
-  if (folder->timesAssumed()) {
-    warn("no times.txt in " + options_.kitti.string() + ": " + formatNumber(options_.rate) +
-         " scans a second assumed; set --rate if that is wrong");
-  }
-  return folder;
-}
-
 Config OfflineRunner::configure(const std::optional<Scan>& first) {
-  sensor_ = options_.sensor;
-  if (sensor_.empty()) {
-    const SensorGuess guess = recogniseSensor(first.value_or(Scan{}));
-    sensor_ = guess.name;
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << "sensor " << sensor_ << " (" << guess.beams
-         << " lasers from " << guess.elevation_min << " to " << guess.elevation_max << " deg)";
-    if (guess.certain) {
-      std::cerr << "recognised " << text.str() << '\n';
-    } else {
-      warn("unknown sensor; the nearest is taken: " + text.str() + "; set --sensor or --config");
-    }
+  DriveConfig chosen = configureDrive(options_.input, first);
+  sensor_ = chosen.sensor;
+  if (!options_.mode.empty()) {
+    applyYaml(chosen.config, "df: {mode: " + options_.mode + "}", "--mode");
   }
-  Config config = sensorConfig(sensor_);
-  if (!options_.config.empty()) applyYamlFile(config, options_.config);
-  if (!options_.mode.empty()) applyYaml(config, "df: {mode: " + options_.mode + "}", "--mode");
-  return config;
+  return chosen.config;
 }
 
 /// The next scan; when the input breaks off, the reason is kept for the end and the drive is over.
@@ -94,15 +57,15 @@ std::optional<Scan> OfflineRunner::nextScan(ScanSource& source) {
 
 void OfflineRunner::filter(ScanSource& source,
                            std::optional<Scan> scan,
-                           DriveWriter& writer,
-                           const Config& config) {
+                           const Config& config,
+                           const std::function<void(const FrameResult&)>& take) {
   Pipeline pipeline(config, options_.threads);
   Progress progress(source.size());
   for (std::size_t done = 1; scan; scan = nextScan(source), ++done) {
-    for (const FrameResult& frame : pipeline.process(std::move(*scan))) writer.add(frame);
+    for (const FrameResult& frame : pipeline.process(std::move(*scan))) take(frame);
     progress.show(done);
   }
-  for (const FrameResult& frame : pipeline.flush()) writer.add(frame);
+  for (const FrameResult& frame : pipeline.flush()) take(frame);
   progress.finish();
 }
 
@@ -143,17 +106,24 @@ int OfflineRunner::finish(DriveWriter& writer, const Config& config) {
 int OfflineRunner::run() {
   std::signal(SIGINT, requestStop);
   std::signal(SIGTERM, requestStop);
-  const std::unique_ptr<ScanSource> source = openSource();
+  const std::unique_ptr<ScanSource> source = openDrive(options_.input);
   std::optional<Scan> first = nextScan(*source);
   if (!first && !break_off_.empty()) throw IoError(break_off_);
   if (!first) throw IoError("no scan in " + source->describe());
   const Config config = configure(first);
+  std::optional<SegmentDump> dump;
+  if (!options_.segments.empty()) dump.emplace(options_.segments);
   DriveWriter writer(options_.output, config);
   writer.report().setSetting({source->describe(), sensor_,
                               nameOf(config.df.mode, DynamicConfig::kModes), options_.threads});
   try {
-    filter(*source, std::move(first), writer, config);
-    return finish(writer, config);
+    filter(*source, std::move(first), config, [&](const FrameResult& frame) {
+      writer.add(frame);
+      if (dump) dump->add(frame);
+    });
+    const int code = finish(writer, config);
+    if (dump) dump->finish();
+    return code;
   } catch (const IoError& error) {
     writer.salvage();
     throw IoError(std::string(error.what()) + " (what was computed is in " +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,20 +11,16 @@
 #include "segdf/io/drive_writer.hpp"
 #include "segdf/io/scan_source.hpp"
 
+#include "drive_input.hpp"
+
 namespace segdf::apps {
 
 /// What the command line of segdf_offline says.
 struct OfflineOptions {
-  std::filesystem::path bag;
-  std::filesystem::path kitti;
+  DriveInput input;
   std::filesystem::path output;
-  std::filesystem::path config;
-  std::string frames;  ///< of the folder, as parseFrameRange reads them; empty: all
-  std::string sensor;  ///< empty: recognised from the first scan
-  std::string mode;    ///< empty: as configured
-  std::string cloud_topic;
-  std::string odometry_topic;
-  double rate = 10.0;
+  std::filesystem::path segments;  ///< for coloured clouds of each scan; empty: none
+  std::string mode;                ///< empty: as configured
   int threads = 1;
 };
 
@@ -36,15 +33,13 @@ class OfflineRunner {
   int run();
 
  private:
-  std::unique_ptr<ScanSource> openSource() const;
   Config configure(const std::optional<Scan>& first);
   std::optional<Scan> nextScan(ScanSource& source);
   void filter(ScanSource& source,
               std::optional<Scan> scan,
-              DriveWriter& writer,
-              const Config& config);
+              const Config& config,
+              const std::function<void(const FrameResult&)>& take);
   int finish(DriveWriter& writer, const Config& config);
-  void warn(const std::string& message) const;
 
   OfflineOptions options_;
   std::string sensor_;

@@ -17,36 +17,17 @@ using segdf::apps::OfflineOptions;
 
 void addOptions(CLI::App& app, OfflineOptions& options) {
   auto* print = app.add_flag("--print-config", "print all parameters with their defaults and stop");
-  auto* input = app.add_option_group("input");
-  input->add_option("--bag", options.bag, "ROS 1 bag with clouds and odometry");
-  input->add_option("--kitti", options.kitti,
-                    "folder with velodyne/, poses.txt and calib.txt or "
-                    "poses_lidar.txt");
-  input->require_option(0, 1);
+  addDriveOptions(app, options.input);
   app.add_option("--output", options.output, "folder for the results");
-  app.add_option("--sensor", options.sensor,
-                 "hdl64, hdl32, vlp16 or os1_64; recognised if not given");
-  app.add_option("--config", options.config, "YAML with parameters that differ from the sensor's");
+  app.add_option("--dump-segments", options.segments,
+                 "folder for a coloured cloud and picture of each scan, by instance and by class");
   app.add_option("--mode", options.mode,
                  "dynamic filter: segdf (default) or literal, the algorithm as printed");
   app.add_option("--threads", options.threads, "worker threads (default 1); same results with any")
       ->check(CLI::Range(1, 256));
-  app.add_option("--frames", options.frames,
-                 "only these scans of the folder, FIRST:LAST:STEP, ends inclusive");
-  app.add_option("--rate", options.rate,
-                 "scans a second of a folder without times.txt (default 10)")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--cloud-topic", options.cloud_topic,
-                 "default: LIO-SAM's registered, else deskewed");
-  app.add_option("--odometry-topic", options.odometry_topic, "default: LIO-SAM's mapping odometry");
-  app.callback([&app, &options, print] {
+  app.callback([&options, print] {
     if (print->count() > 0) return;
-    if (options.bag.empty() && options.kitti.empty()) {
-      throw CLI::RequiredError("--bag FILE or --kitti DIR");
-    }
-    if (!options.frames.empty() && options.kitti.empty()) {
-      throw CLI::RequiresError("--frames", "--kitti DIR");
-    }
+    checkDriveOptions(options.input);
     if (options.output.empty()) throw CLI::RequiredError("--output DIR");
   });
 }

@@ -26,10 +26,10 @@ constexpr double kVehicleLength = 13.0;
 constexpr double kVehicleWidth = 2.9;
 constexpr std::size_t kLeafyPoints = 30;
 constexpr double kShortWall = 2.0;
-// A fence is thin, straight and much longer than wide.
+// A fence is thin, straight, much longer than wide, and longer than the tail of a car is wide.
 constexpr double kFenceVertical = 0.9;
 constexpr double kFenceWidth = 0.35;
-constexpr double kFenceLength = 1.5;
+constexpr double kFenceLength = kCarMaxWidth;
 constexpr double kFenceRatio = 4.0;
 constexpr double kFenceSigma = 0.06;
 
@@ -110,7 +110,7 @@ bool isFence(const Shape& s) {
 ObjectClass classifyTall(const Shape& s, std::size_t points, const ClassConfig& c) {
   const bool leafy = isLeafy(s, c);
   if (s.side < c.pole_side && s.bottom < c.pole_bottom) return ObjectClass::kBuilding;
-  if (s.length > c.large_length || s.width > c.large_width) {
+  if (s.length > c.large_length || s.width > c.large_width || s.top > c.large_height) {
     return leafy ? ObjectClass::kVegetation : ObjectClass::kBuilding;
   }
   const bool foliage = hasVehicleSize(s) ? isLeafyVehicle(s, c) : leafy;
@@ -122,7 +122,8 @@ ObjectClass classifyTall(const Shape& s, std::size_t points, const ClassConfig& 
 }
 
 ObjectClass classifyLarge(const Shape& s, const ClassConfig& c) {
-  if (isLeafy(s, c)) return ObjectClass::kVegetation;
+  const bool foliage = s.length <= kVehicleLength ? isLeafyVehicle(s, c) : isLeafy(s, c);
+  if (foliage) return ObjectClass::kVegetation;
   return isWall(s, c) ? ObjectClass::kBuilding : ObjectClass::kUnknown;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kProofs = 2;
 constexpr std::size_t kStrongProofs = 8;  // outweigh that the instance stands here
-constexpr std::size_t kKeptProofs = 32;   // more of the past tell nothing new
+constexpr std::size_t kKeptProofs = 64;   // the latest of the past
 
 constexpr double kElsewhere = 2.0;  // metres: farther than views of one car differ
 
@@ -54,7 +54,8 @@ std::size_t countProofs(const std::vector<Proof>& proofs, const Condition& condi
 /// True when frames in which the track was elsewhere found the segment here.
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
-                 const std::vector<Proof>& proofs,
+                 const std::vector<Proof>& past,
+                 const std::vector<Proof>& present,
                  const DynamicConfig& config) {
   const Proof here = proofOf(frame, segment);
   const double apart = std::max(kElsewhere, 0.5 * static_cast<double>(here.size.x()));
@@ -62,9 +63,11 @@ bool standsApart(const KeyFrame& frame,
   int contradictions = 0;
   for (const PairVote& vote : frame.evidence->votes[segment]) {
     if (!isFoundAgain(vote, points, config)) continue;
-    contradictions += std::any_of(proofs.begin(), proofs.end(), [&](const Proof& proof) {
+    const auto contradicts = [&](const Proof& proof) {
       return proof.scan == vote.scan && (proof.center - here.center).norm() > apart;
-    });
+    };
+    contradictions += std::any_of(past.begin(), past.end(), contradicts) ||
+                      std::any_of(present.begin(), present.end(), contradicts);
   }
   return contradictions >= config.keep_hits;
 }
@@ -83,10 +86,9 @@ bool TrackBook::moves(const KeyFrame& frame, std::size_t s, const Proofs& presen
   }
   if (config_.semi_static != SemiStatic::kRemove) return false;
   const auto part = [&size](const Proof& proof) { return isPartOf(proof.size, size); };
-  if (countProofs(proofs, part) + countProofs(proofsOf(past_, id), part) < kStrongProofs) {
-    return false;
-  }
-  return !standsApart(frame, s, proofs, config_);
+  const std::vector<Proof>& past = proofsOf(past_, id);
+  if (countProofs(past, part) + countProofs(proofs, part) < kStrongProofs) return false;
+  return !standsApart(frame, s, past, proofs, config_);
 }
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
@@ -107,7 +109,8 @@ void TrackBook::note(const KeyFrame& frame) {
     seen.insert(instance.id);
     if (!instance.dynamic || instance.reason != Reason::kVotes) continue;
     std::vector<Proof>& proofs = past_[instance.id];
-    if (proofs.size() < kKeptProofs) proofs.push_back(proofOf(frame, s));
+    if (proofs.size() == kKeptProofs) proofs.erase(proofs.begin());
+    proofs.push_back(proofOf(frame, s));
   }
   for (auto track = past_.begin(); track != past_.end();) {
     track = seen.count(track->first) != 0 ? std::next(track) : past_.erase(track);

@@ -2,6 +2,7 @@
 #include "segdf/io/output_folder.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -28,6 +29,13 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
   return entries;
 }
 
+/// Kinds of files in a folder of results.
+std::set<fs::path> extensionsIn(const fs::path& folder) {
+  std::set<fs::path> extensions;
+  for (const fs::path& entry : entriesOf(folder)) extensions.insert(entry.extension());
+  return extensions;
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& folder) : folder_(folder) {
@@ -50,8 +58,9 @@ OutputFolder::~OutputFolder() {
 
 void OutputFolder::replaceFolder(const fs::path& from, const fs::path& to) const {
   if (fs::is_directory(to)) {
+    const std::set<fs::path> ours = extensionsIn(from);
     for (const fs::path& old : entriesOf(to)) {
-      if (old.extension() != ".label") {
+      if (ours.count(old.extension()) == 0) {
         throw IoError(to.string() + " holds " + old.filename().string() +
                       ", which segdf did not write; the new results are in " + staging_.string());
       }

@@ -16,13 +16,21 @@ constexpr std::size_t kHeaderBytes = 512;
 constexpr std::size_t kBlock = 65536;
 
 static_assert(sizeof(MapPoint) == 24, "a point is written as its six fields");
+static_assert(sizeof(ColouredMapPoint) == 28, "a point is written as its seven fields");
 
-std::string header(std::size_t count) {
+/// What a field more than those of MapPoint adds to the lines of the header.
+struct ExtraField {
+  std::string name, size, type, count;
+};
+const ExtraField kNone;
+const ExtraField kRgb{" rgb", " 4", " F", " 1"};
+
+std::string header(std::size_t count, const ExtraField& extra) {
   const std::string n = std::to_string(count);
-  const std::string fields =
-      "VERSION 0.7\nFIELDS x y z intensity label instance\nSIZE 4 4 4 4 4 4\nTYPE F F F F U U\n"
-      "COUNT 1 1 1 1 1 1\nWIDTH " +
-      n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+  const std::string fields = "VERSION 0.7\nFIELDS x y z intensity label instance" + extra.name +
+                             "\nSIZE 4 4 4 4 4 4" + extra.size + "\nTYPE F F F F U U" + extra.type +
+                             "\nCOUNT 1 1 1 1 1 1" + extra.count + "\nWIDTH " + n +
+                             "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
   const std::string start = "# .PCD v0.7 - Point Cloud Data file format\n# ";
   const std::size_t padding = kHeaderBytes - start.size() - fields.size() - 1;
   return start + std::string(padding, '.') + "\n" + fields;
@@ -31,7 +39,7 @@ std::string header(std::size_t count) {
 }  // namespace
 
 PcdStream::PcdStream(const std::filesystem::path& file) : path_(file), file_(file) {
-  file_.write(header(0));
+  file_.write(header(0, kNone));
 }
 
 void PcdStream::add(const std::vector<MapPoint>& points) {
@@ -40,9 +48,17 @@ void PcdStream::add(const std::vector<MapPoint>& points) {
 }
 
 void PcdStream::finish() {
-  file_.rewriteStart(header(count_));
+  file_.rewriteStart(header(count_, kNone));
   file_.commit();
   std::filesystem::resize_file(path_, kHeaderBytes + count_ * sizeof(MapPoint));
+}
+
+void writeColouredPcd(const std::filesystem::path& file,
+                      const std::vector<ColouredMapPoint>& points) {
+  AtomicFile out(file);
+  out.write(header(points.size(), kRgb));
+  out.write(points.data(), points.size() * sizeof(ColouredMapPoint));
+  out.commit();
 }
 
 void forEachPoint(const std::filesystem::path& file,

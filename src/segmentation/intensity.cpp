@@ -12,22 +12,9 @@ namespace {
 constexpr double kVelodyneDiffuse = 100.0;  // above: retro-reflectors
 constexpr double kByte = 255.0;
 
-double calibrate(const Point& point,
-                 const Surface& surface,
-                 const IntensityModel& model,
-                 const IntensityConfig& config) {
-  double value = std::max(0.0, static_cast<double>(point.intensity)) / model.full_scale;
-  const Eigen::Vector3d x = point.position().cast<double>();
-  const double range = x.norm();
-  if (model.range_exponent != 0.0) {
-    const double limited = std::min(std::max(range, config.r_near), config.r_cap);
-    value *= std::pow(limited / config.r_ref, model.range_exponent);
-  }
-  if (model.incidence_exponent != 0.0 && surface.hasNormal() && range > 0.0) {
-    const double cosine = std::abs(surface.normal.cast<double>().dot(x)) / range;
-    value /= std::pow(std::max(cosine, config.c_min), model.incidence_exponent);
-  }
-  return model.clip ? std::min(value, 1.0) : value;
+std::optional<double> cosineOf(const Eigen::Vector3d& x, const Surface& surface) {
+  if (!surface.hasNormal() || !(x.norm() > 0.0)) return std::nullopt;
+  return std::abs(surface.normal.cast<double>().dot(x)) / x.norm();
 }
 
 }  // namespace
@@ -52,14 +39,33 @@ IntensityModel intensityModel(IntensityProfile profile) {
   return {2.0, 1.0, 1.0, false};
 }
 
+double calibrationGain(double range,
+                       std::optional<double> cosine,
+                       const IntensityModel& model,
+                       const IntensityConfig& config) {
+  double gain = 1.0;
+  if (model.range_exponent != 0.0) {
+    const double limited = std::min(std::max(range, config.r_near), config.r_cap);
+    gain *= std::pow(limited / config.r_ref, model.range_exponent);
+  }
+  if (model.incidence_exponent != 0.0 && cosine) {
+    gain /= std::pow(std::max(*cosine, config.c_min), model.incidence_exponent);
+  }
+  return gain;
+}
+
 std::vector<float> calibrateIntensity(const std::vector<Point>& points,
                                       const std::vector<Surface>& surfaces,
                                       const IntensityConfig& config) {
   const IntensityModel model = intensityModel(config.profile);
+  const double scale = config.full_scale > 0.0 ? config.full_scale : model.full_scale;
   std::vector<float> result(points.size(), 0.0F);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points[i].intensity) || !isFinite(points[i])) continue;
-    result[i] = static_cast<float>(calibrate(points[i], surfaces[i], model, config));
+    const Eigen::Vector3d x = points[i].position().cast<double>();
+    const double value = std::max(0.0, static_cast<double>(points[i].intensity)) / scale *
+                         calibrationGain(x.norm(), cosineOf(x, surfaces[i]), model, config);
+    result[i] = static_cast<float>(model.clip ? std::min(value, 1.0) : value);
   }
   return result;
 }

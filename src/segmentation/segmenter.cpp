@@ -31,7 +31,7 @@ void markGround(const Scan& scan,
                 const Config& config,
                 int threads,
                 Segmentation& seg) {
-  Ground ground = extractGround(scan.points, seg.roles, config.ground, threads);
+  Ground ground = extractGround(scan.points, seg.roles, config.ground, config.range_image, threads);
   for (std::size_t i = 0; i < seg.roles.size(); ++i) {
     if (ground.is_ground[i] != 0) seg.roles[i] = PointRole::kGround;
   }

@@ -82,6 +82,12 @@ TEST_F(BadInput, UnwritableOutputFolder) {
   expectRefusal(outcome, 1, "cannot write to output folder");
 }
 
+TEST_F(BadInput, UnwritableFolderForSegments) {
+  std::ofstream(folder_ / "file") << "x";
+  expectRefusal(offlineOnDrive("--dump-segments " + (folder_ / "file/out").string()), 1,
+                "cannot write to output folder " + (folder_ / "file/out").string());
+}
+
 TEST_F(BadInput, FewerPosesThanScans) {
   write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
   expectRefusal(offlineOnDrive(), 1, "1 poses for 5 scans");

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // segdf_offline on good input: what it writes, and that it is always the same.
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
 
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/io/label_file.hpp"
@@ -127,6 +130,62 @@ TEST_F(Offline, AFileThatIsNotOursIsNeverDeleted) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(contains(outcome.err, "notes.txt"));
   EXPECT_TRUE(fs::exists(result() / "labels/notes.txt"));
+}
+
+TEST_F(Offline, DumpsSegmentsInColoursThatPclReads) {
+  const fs::path dump = folder_ / "segments";
+  ASSERT_EQ(offlineOnDrive("--dump-segments " + dump.string()).status, 0);
+  for (int k = 0; k < kScans; ++k) {
+    const auto codes = readLabels(result() / "labels" / ("00000" + std::to_string(k) + ".label"));
+    const auto judged = static_cast<std::size_t>(
+        std::count_if(codes.begin(), codes.end(), [](std::uint32_t c) { return c != 0; }));
+    for (const char* kind : {"instances", "classes"}) {
+      const fs::path stem = dump / kind / ("00000" + std::to_string(k));
+      pcl::PointCloud<pcl::PointXYZRGB> cloud;
+      ASSERT_EQ(pcl::io::loadPCDFile(stem.string() + ".pcd", cloud), 0);
+      EXPECT_EQ(cloud.size(), judged);
+      EXPECT_EQ(test::readText(stem.string() + ".png").substr(1, 3), "PNG");
+    }
+  }
+}
+
+TEST_F(Offline, EveryInstanceAndEveryClassHasOneColour) {
+  const fs::path dump = folder_ / "segments";
+  ASSERT_EQ(offlineOnDrive("--dump-segments " + dump.string()).status, 0);
+  const auto coloursOf = [&](const std::string& kind) {
+    pcl::PCLPointCloud2 blob;
+    pcl::PointCloud<pcl::PointXYZRGB> cloud;
+    const std::string file = (dump / kind / "000002.pcd").string();
+    EXPECT_EQ(pcl::io::loadPCDFile(file, blob), 0);
+    EXPECT_EQ(pcl::io::loadPCDFile(file, cloud), 0);
+    std::map<std::uint32_t, std::set<std::uint32_t>> colours;
+    for (pcl::uindex_t i = 0; i < cloud.size(); ++i) {
+      const auto instance = blob.at<std::uint32_t>(i, 20);  // after x y z intensity label
+      if (instance != 0) colours[instance].insert(cloud[i].rgba & 0xFFFFFFU);
+    }
+    return colours;
+  };
+  std::set<std::uint32_t> of_instances;
+  for (const auto& [instance, colours] : coloursOf("instances")) {
+    EXPECT_EQ(colours.size(), 1U) << instance;
+    EXPECT_TRUE(of_instances.insert(*colours.begin()).second) << instance;
+  }
+  EXPECT_GT(of_instances.size(), 3U);
+  std::set<std::uint32_t> of_classes;
+  for (const auto& [instance, colours] : coloursOf("classes")) {
+    EXPECT_EQ(colours.size(), 1U) << instance;
+    of_classes.insert(colours.begin(), colours.end());
+  }
+  EXPECT_GE(of_classes.size(), 2U);
+  EXPECT_LE(of_classes.size(), 4U);  // vegetation, building, high mobility, unknown
+}
+
+TEST_F(Offline, ASecondDumpReplacesTheFirst) {
+  const std::string dump = "--dump-segments " + (folder_ / "segments").string();
+  ASSERT_EQ(offlineOnDrive(dump).status, 0);
+  ASSERT_EQ(offlineOnDrive(dump + " --frames 0:2").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "segments/classes/000002.pcd"));
+  EXPECT_FALSE(fs::exists(folder_ / "segments/classes/000004.pcd"));
 }
 
 TEST_F(Offline, PrintConfigIsTheShippedFile) {

@@ -61,6 +61,24 @@ TEST(Classifier, RoughMoversAreNoFoliage) {
   EXPECT_TRUE(isTested(classOf(tractor)));
 }
 
+TEST(Classifier, TheTailOfACarIsNoFence) {
+  EXPECT_TRUE(isTested(classOf(flatWall(object(1.85F, 0.17F, 0.9F)))));
+  EXPECT_EQ(classOf(flatWall(object(2.6F, 0.17F, 0.9F))), ObjectClass::kBuilding);
+}
+
+TEST(Classifier, TwoCarsSideBySideAreNoHedge) {
+  FeatureVector pair = leafy(object(4.4F, 3.3F, 1.5F));
+  pair[Feature::kVerticalShare] = 0.72F;
+  EXPECT_TRUE(isTested(classOf(pair)));
+}
+
+TEST(Classifier, WhatIsHigherOrWiderThanATruckIsNone) {
+  EXPECT_TRUE(isTested(classOf(object(9.0F, 2.5F, 4.2F)))) << "truck of the greatest legal height";
+  EXPECT_EQ(classOf(object(9.0F, 2.5F, 5.0F)), ObjectClass::kBuilding);
+  EXPECT_EQ(classOf(leafy(object(2.5F, 2.5F, 5.0F))), ObjectClass::kVegetation);
+  EXPECT_EQ(classOf(object(9.0F, 3.2F, 3.5F)), ObjectClass::kBuilding);
+}
+
 TEST(Classifier, AFrontStandsOnTheGroundAndABusOnItsWheels) {
   FeatureVector front = object(9.0F, 0.8F, 3.0F);
   front[Feature::kVerticalShare] = 0.95F;

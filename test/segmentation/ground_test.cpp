@@ -17,7 +17,7 @@ std::vector<PointRole> allUsed(const Scan& scan) {
 }
 
 Ground groundOf(const Scan& scan, int threads = 1) {
-  return extractGround(scan.points, allUsed(scan), GroundConfig{}, threads);
+  return extractGround(scan.points, allUsed(scan), GroundConfig{}, RangeImageConfig{}, threads);
 }
 
 /// Height of a point above z = 0 of the world.
@@ -115,7 +115,7 @@ TEST(Ground, UnusedPointsAreNeverGround) {
   const Scan scan = BoxWorld().scan(0.0, 0.0, 0.0, 0);
   std::vector<PointRole> roles = allUsed(scan);
   for (std::size_t i = 0; i < roles.size(); i += 2) roles[i] = PointRole::kUnused;
-  const Ground ground = extractGround(scan.points, roles, GroundConfig{}, 1);
+  const Ground ground = extractGround(scan.points, roles, GroundConfig{}, RangeImageConfig{}, 1);
   for (std::size_t i = 0; i < roles.size(); i += 2) ASSERT_EQ(ground.is_ground[i], 0);
 }
 

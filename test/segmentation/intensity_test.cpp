@@ -51,6 +51,14 @@ TEST(Intensity, RetroReflectorsAreClipped) {
                   1.0F);
 }
 
+TEST(Intensity, AFullScaleOfItsOwnReplacesTheProfiles) {
+  IntensityConfig config;
+  config.profile = IntensityProfile::kOusterReflectivity;
+  config.full_scale = 1000.0;
+  const Point point{10.0F, 0.0F, 0.0F, 250.0F, 0.0F, -1};
+  EXPECT_FLOAT_EQ(calibrateIntensity({point}, {Surface{}}, config)[0], 0.25F);
+}
+
 TEST(Intensity, NonsenseBecomesZero) {
   EXPECT_EQ(calibrated(10.0F, std::nanf(""), kFacing, IntensityProfile::kLiteral), 0.0F);
   EXPECT_EQ(calibrated(10.0F, -3.0F, kFacing, IntensityProfile::kLiteral), 0.0F);

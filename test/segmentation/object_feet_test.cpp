@@ -46,7 +46,8 @@ TEST(ObjectFeet, BelongToTheObject) {
   StageTimes times;
   const Config config;
   std::vector<PointRole> planes_only = selectPoints(scan.points, config.input);
-  const Ground ground = extractGround(scan.points, planes_only, config.ground, 1);
+  const Ground ground =
+      extractGround(scan.points, planes_only, config.ground, config.range_image, 1);
   for (std::size_t i = 0; i < planes_only.size(); ++i) {
     if (ground.is_ground[i] != 0) planes_only[i] = PointRole::kGround;
   }

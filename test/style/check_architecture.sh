@@ -16,7 +16,7 @@ check() {
 }
 
 ros='ros/|rosbag/|nodelet/|pluginlib/|tf2|message_filters/|[a-z_]*_msgs/|std_srvs/|diagnostic_updater/|dynamic_reconfigure/|pcl_ros/|pcl_conversions/|segdf/[A-Z]'  # and our own messages
-outside="$ros|pcl/|yaml-cpp/|nlohmann/|png|embree3/|CLI/"
+outside="$ros|pcl/|yaml-cpp/|nlohmann/|png|cairo|embree3/|CLI/"
 check core 'core' "$outside"
 check segmentation 'core segmentation' "$outside"
 check classification 'core segmentation classification' "$outside"
@@ -24,10 +24,10 @@ check dynamics 'core segmentation classification dynamics' "$outside"
 check mapping 'core mapping' "$outside"
 check pipeline 'core segmentation classification dynamics pipeline' "$outside"
 check evaluation 'core evaluation' "$outside"
-check simulation 'core simulation' "$ros|pcl/|nlohmann/|png|CLI/"  # yaml-cpp: scenes are YAML
+check simulation 'core simulation' "$ros|pcl/|nlohmann/|png|cairo|CLI/"  # yaml-cpp: scenes are YAML
 check io 'core segmentation mapping io' "$ros|embree3/|CLI/"
 # It turns scores into files for people, so it needs both the scores and the writers; they need not know it.
-check report 'core evaluation io report' "$ros|pcl/|yaml-cpp/|png|embree3/|CLI/"
+check report 'core evaluation io report' "$ros|pcl/|yaml-cpp/|png|cairo|embree3/|CLI/"
 check ros 'core segmentation dynamics mapping io ros' 'embree3/|CLI/'
 check nodelets 'core segmentation mapping pipeline io ros nodelets' 'embree3/|CLI/'
 exit $status

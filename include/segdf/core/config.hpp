@@ -55,6 +55,7 @@ struct GroundConfig {
   double sensor_height = 0.0;
   double l_min = 2.7;
   double l_max = 80.0;
+  int tie_beams = 32;
   int n_min = 10;
   int n_lpr = 20;
   int n_iter = 3;
@@ -78,6 +79,8 @@ struct GroundConfig {
              "sensor above ground; 0 = measured in the first scans");
     v.number("l_min", s.l_min, 0.1, 20.0, "m", "inner border of the zones");
     v.number("l_max", s.l_max, 10.0, 300.0, "m", "outer border of the zones");
+    v.integer("tie_beams", s.tie_beams, 0, 256, "",
+              "with so many lasers or fewer, rings begin and end between lasers; 0 = never");
     v.integer("n_min", s.n_min, 3, 1000, "points", "a patch with fewer has no ground");
     v.integer("n_lpr", s.n_lpr, 1, 1000, "points", "lowest points that give the seed height");
     v.integer("n_iter", s.n_iter, 1, 20, "", "plane fits per patch");
@@ -145,6 +148,7 @@ struct IntensityConfig {
        {IntensityProfile::kLiteral, "literal"}}};
 
   IntensityProfile profile = IntensityProfile::kKittiHdl64;
+  double full_scale = 0.0;
   double r_ref = 10.0;
   double r_near = 10.0;
   double r_cap = 60.0;
@@ -154,6 +158,8 @@ struct IntensityConfig {
   static void visit(Self& s, Visitor& v) {
     v.choice("profile", s.profile, kProfiles,
              "how the sensor's intensity depends on range and angle");
+    v.number("full_scale", s.full_scale, 0.0, 1e6, "",
+             "sensor value that becomes 1, at r_ref and facing; 0 = the profile's");
     v.number("r_ref", s.r_ref, 0.1, 100.0, "m", "range at which the calibration changes nothing");
     v.number("r_near", s.r_near, 0.1, 100.0, "m", "nearer points are treated as at this range");
     v.number("r_cap", s.r_cap, 1.0, 300.0, "m", "farther points are treated as at this range");
@@ -229,7 +235,8 @@ struct ClassConfig {
   double pole_side = 0.8;
   double pole_bottom = 0.6;
   double large_length = 19.0;
-  double large_width = 3.5;
+  double large_width = 3.0;
+  double large_height = 4.5;
   double long_length = 7.0;
   double long_width = 3.0;
   double low = 0.35;
@@ -264,6 +271,7 @@ struct ClassConfig {
     v.number("pole_bottom", s.pole_bottom, 0.0, 5.0, "m", "... and reaching down to this height");
     v.number("large_length", s.large_length, 1.0, 100.0, "m", "tall and longer: no vehicle");
     v.number("large_width", s.large_width, 1.0, 20.0, "m", "tall and wider: no vehicle");
+    v.number("large_height", s.large_height, 1.0, 20.0, "m", "higher over ground: no vehicle");
     v.number("long_length", s.long_length, 1.0, 100.0, "m", "longer: no car");
     v.number("long_width", s.long_width, 1.0, 20.0, "m", "wider: no car");
     v.number("low", s.low, 0.0, 2.0, "m", "lower: unknown (kerb, grass)");

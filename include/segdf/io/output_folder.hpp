@@ -21,8 +21,9 @@ class OutputFolder {
   const std::filesystem::path& staging() const { return staging_; }
   const std::filesystem::path& path() const { return folder_; }
 
-  /// Moves everything into place. Files of the same name are replaced; of an old labels/ folder
-  /// exactly the .label files are, and any other file in it is left alone and stops the commit.
+  /// Moves everything into place. Files of the same name are replaced; a folder takes
+  /// the place of the old one unless that holds another kind of file than the new: then that file
+  /// is left alone and stops the commit.
   /// @throws IoError naming what could not be moved and where the results are
   void commit();
 

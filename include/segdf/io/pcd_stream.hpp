@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -30,6 +31,17 @@ class PcdStream {
   AtomicFile file_;
   std::size_t count_ = 0;
 };
+
+/// A point to be looked at.
+struct ColouredMapPoint {
+  MapPoint point;
+  std::uint32_t rgb = 0;  ///< 0x00RRGGBB
+};
+
+/// Binary PCD with the fields x y z intensity label instance rgb, the last as viewers want it: bit
+/// for bit in a float. Appears whole or not at all. @throws IoError
+void writeColouredPcd(const std::filesystem::path& file,
+                      const std::vector<ColouredMapPoint>& points);
 
 /// Calls `visit` for every point of a file that PcdStream wrote, one block at a time.
 /// @throws IoError when it is no such file or ends early

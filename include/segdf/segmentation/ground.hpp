@@ -17,10 +17,11 @@ struct Ground {
 };
 
 /// Marks the ground among the points whose role is not kUnused. Patches are independent of each
-/// other, the result does not depend on the threads or on earlier scans.
+/// other, the result does not depend on the threads or on earlier scans. @param lasers the sensor's
 Ground extractGround(const std::vector<Point>& points,
                      const std::vector<PointRole>& roles,
                      const GroundConfig& config,
+                     const RangeImageConfig& lasers,
                      int threads);
 
 /// Height of the sensor over the ground around it, metres: the median over near polar cells of

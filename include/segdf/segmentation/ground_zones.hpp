@@ -15,29 +15,39 @@
 namespace segdf {
 
 /// The concentric zone model of Patchwork (method.md 2.1): zones around the sensor, cut into rings
-/// and sectors. Rings are counted from the sensor over all zones.
+/// and sectors. The rings of a zone are equally wide. Of a sensor with few lasers such a ring would
+/// hold one laser's line of the ground or none: there borders lie half-way between lasers, where
+/// these meet level ground, and a ring holds two lasers or is 15 m wide.
 class ConcentricZones {
  public:
   static constexpr std::size_t kZones = 4;
 
-  explicit ConcentricZones(const GroundConfig& config);
+  /// @param lasers between whose elevations the lasers are taken to be evenly spread
+  /// @param sensor_height over the ground, metres
+  ConcentricZones(const GroundConfig& config, const RangeImageConfig& lasers, double sensor_height);
 
-  int patches() const { return patches_; }
+  int patches() const { return rings_.back().first_patch + rings_.back().sectors; }
   /// Patch of a point, -1 outside the zones.
   int patchOf(const Point& p) const;
-  int ringOf(int patch) const;
+  /// Number of the equally wide ring, counted from the sensor, that holds the patch's middle.
+  int ringOf(int patch) const { return rings_[indexOf(patch)].number; }
   /// The patch before the middle of this one on the way to the sensor, -1 for the innermost ring.
   int innerNeighbour(int patch) const;
   /// Rings 0 to innerRings() - 1 form the zone around the sensor.
   int innerRings() const;
 
  private:
-  std::size_t zoneOf(int patch) const;
+  struct Ring {
+    double end = 0.0;  ///< outer border, metres
+    int number = 0;    ///< of the equally wide ring in the same place
+    int sectors = 0;
+    int first_patch = 0;
+  };
 
-  std::array<double, kZones + 1> borders_;
-  std::array<int, kZones> first_patch_{};
-  std::array<int, kZones> first_ring_{};
-  int patches_ = 0;
+  std::size_t indexOf(int patch) const;
+
+  double begin_;
+  std::vector<Ring> rings_;
 };
 
 /// A point as the patches hold it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "segdf/core/config.hpp"
@@ -19,9 +20,17 @@ struct IntensityModel {
 
 IntensityModel intensityModel(IntensityProfile profile);
 
+/// What formula (6) multiplies a sensor value with, but for the scale:
+///   (R / r_ref)^p / max(cos alpha, c_min)^gamma   with R limited to [r_near, r_cap].
+/// @param range R, metres @param cosine of the incidence angle, none where the normal is not known:
+/// the angle is left out
+double calibrationGain(double range,
+                       std::optional<double> cosine,
+                       const IntensityModel& model,
+                       const IntensityConfig& config);
+
 /// Calibrated intensity of every point, Algorithm 1 line 2, formula (6):
-///   I_cal = I / full_scale * (R / r_ref)^p / max(cos alpha, c_min)^gamma
-/// with R limited to [r_near, r_cap] and the angle left out where the normal is not known.
+///   I_cal = I / full_scale * calibrationGain()
 /// Dimensionless, 0 for intensities that are negative or not finite.
 std::vector<float> calibrateIntensity(const std::vector<Point>& points,
                                       const std::vector<Surface>& surfaces,
