@@ -22,7 +22,8 @@ AreaIndex::AreaIndex(const std::vector<Point>& points, const std::vector<PointRo
 }
 
 int AreaIndex::cellAt(float coordinate) {
-  const float cell = std::floor(coordinate / kCell) + static_cast<float>(kSide / 2);
+  constexpr int kHalf = kSide / 2;
+  const float cell = std::floor(coordinate / kCell) + static_cast<float>(kHalf);
   return static_cast<int>(std::clamp(cell, 0.0F, static_cast<float>(kSide - 1)));
 }
 
