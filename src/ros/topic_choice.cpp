@@ -100,9 +100,7 @@ std::string chooseCloudTopic(const TopicTypes& topics,
   const std::vector<std::string> names =
       orDefault(wanted, {topics::kRegisteredCloud, topics::kDeskewedCloud});
   if (wanted.empty()) refuseFeaturesAlone(topics, names, where);
-  return choose(topics,
-                {"cloud", names, topics::kCloudType},
-                where);
+  return choose(topics, {"cloud", names, topics::kCloudType}, where);
 }
 
 std::string chooseOdometryTopic(const TopicTypes& topics,

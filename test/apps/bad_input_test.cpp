@@ -149,8 +149,9 @@ TEST_F(BadInput, PosesThatDoNotFitTheScans) {
   for (int k = 0; k < kScans; ++k) {
     Pose pose = Pose::Identity();
     pose.translation() =
-        Eigen::Vector3d(0.4 * k, 0.0, k % 2 == 0 ? 0.0 : 0.5);  // camera x is sideways
-    pose.translation().x() += k % 2 == 0 ? 0.0 : 0.7;
+        Eigen::Vector3d(0.4 * k, 0.0, k % 2 == 0 ? 0.0 : 0.25);  // camera x is sideways
+    // Far enough not to fit, not so far that it is taken for a loop closure.
+    pose.translation().x() += k % 2 == 0 ? 0.0 : 0.35;
     poses += formatPose(pose) + "\n";
   }
   write("poses.txt", poses);
