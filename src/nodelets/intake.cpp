@@ -51,11 +51,7 @@ Intake::Intake(ros::NodeHandle node,
 void Intake::addCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   countGap(cloud->header);
   last_cloud_ = cloud->header;
-  if (tf_poses_) {
-    tf_poses_->addCloud(cloud);
-  } else {
-    synchroniser_->addCloud(cloud);
-  }
+  queue().addCloud(cloud);
   book();
 }
 
@@ -63,6 +59,11 @@ void Intake::addOdometry(const nav_msgs::OdometryConstPtr& odometry) {
   last_pose_ = odometry->header;
   synchroniser_->addOdometry(odometry);
   book();
+}
+
+CloudQueue& Intake::queue() {
+  if (tf_poses_) return *tf_poses_;
+  return *synchroniser_;
 }
 
 void Intake::hand(const sensor_msgs::PointCloud2ConstPtr& cloud,
@@ -84,8 +85,8 @@ void Intake::countGap(const std_msgs::Header& header) {
 }
 
 void Intake::book() {
-  const Synchroniser::Counts& halves = tf_poses_ ? tf_poses_->counts() : synchroniser_->counts();
-  const std::size_t waiting = tf_poses_ ? tf_poses_->waiting() : synchroniser_->waiting();
+  const CloudQueue::Counts& halves = queue().counts();
+  const std::size_t waiting = queue().waiting();
   ledger_.change([&](Counts& counts) {
     counts.clouds = halves.clouds;
     counts.poses = halves.poses;

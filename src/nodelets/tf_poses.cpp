@@ -8,8 +8,6 @@
 namespace segdf {
 namespace {
 
-using CloudPtr = sensor_msgs::PointCloud2ConstPtr;
-
 nav_msgs::Odometry toOdometry(const geometry_msgs::TransformStamped& transform) {
   nav_msgs::Odometry odometry;
   odometry.header = transform.header;
@@ -27,42 +25,17 @@ TfPoses::TfPoses(const tf2_ros::Buffer& buffer,
                  std::string map_frame,
                  std::string sensor_frame,
                  std::size_t queue_size,
-                 Synchroniser::PairCallback on_pair)
-    : buffer_(buffer),
+                 PairCallback on_pair)
+    : CloudQueue(queue_size, std::move(on_pair)),
+      buffer_(buffer),
       map_frame_(std::move(map_frame)),
-      sensor_frame_(std::move(sensor_frame)),
-      queue_size_(queue_size),
-      on_pair_(std::move(on_pair)) {}
+      sensor_frame_(std::move(sensor_frame)) {}
 
-void TfPoses::addCloud(const CloudPtr& cloud) {
-  ++counts_.clouds;
-  clouds_.push_back(cloud);
-  pairUp();
-  if (clouds_.size() <= queue_size_) return;
-  clouds_.pop_front();
-  ++counts_.unmatched;
-}
-
-void TfPoses::pairUp() {
-  while (pairOne()) {
-  }
-}
-
-/// tf comes in order: a cloud before one that has its pose will not get one any more.
-bool TfPoses::pairOne() {
-  for (std::size_t k = 0; k < clouds_.size(); ++k) {
-    const CloudPtr cloud = clouds_[k];
-    const ros::Time& stamp = cloud->header.stamp;
-    if (!buffer_.canTransform(map_frame_, sensorOf(*cloud), stamp)) continue;
-    const auto pose = boost::make_shared<nav_msgs::Odometry>(
-        toOdometry(buffer_.lookupTransform(map_frame_, sensorOf(*cloud), stamp)));
-    clouds_.erase(clouds_.begin(), clouds_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    counts_.unmatched += k;
-    ++counts_.pairs;
-    on_pair_(cloud, pose);
-    return true;
-  }
-  return false;
+nav_msgs::OdometryConstPtr TfPoses::findPose(const sensor_msgs::PointCloud2& cloud) {
+  const ros::Time& stamp = cloud.header.stamp;
+  if (!buffer_.canTransform(map_frame_, sensorOf(cloud), stamp)) return nullptr;
+  return boost::make_shared<nav_msgs::Odometry>(
+      toOdometry(buffer_.lookupTransform(map_frame_, sensorOf(cloud), stamp)));
 }
 
 const std::string& TfPoses::sensorOf(const sensor_msgs::PointCloud2& cloud) const {

@@ -12,7 +12,6 @@
 namespace segdf {
 namespace {
 
-using CloudPtr = sensor_msgs::PointCloud2ConstPtr;
 using OdometryPtr = nav_msgs::OdometryConstPtr;
 
 constexpr std::size_t kPosesPerCloud = 10;  // they are small, and may come at a higher rate
@@ -28,46 +27,24 @@ OdometryPtr poseAt(const ros::Time& stamp, const OdometryPtr& before, const Odom
 }  // namespace
 
 Synchroniser::Synchroniser(std::size_t queue_size, double slop, PairCallback on_pair)
-    : queue_size_(queue_size), slop_(slop), on_pair_(std::move(on_pair)) {}
-
-void Synchroniser::addCloud(const CloudPtr& cloud) {
-  ++counts_.clouds;
-  clouds_.push_back(cloud);
-  pairUp();
-  if (clouds_.size() <= queue_size_) return;
-  clouds_.pop_front();
-  ++counts_.unmatched;
-}
+    : CloudQueue(queue_size, std::move(on_pair)), slop_(slop) {}
 
 void Synchroniser::addOdometry(const OdometryPtr& odometry) {
-  ++counts_.poses;
+  countPose();
   poses_.push_back(odometry);
-  if (poses_.size() > kPosesPerCloud * queue_size_) poses_.pop_front();
+  if (poses_.size() > kPosesPerCloud * queueSize()) poses_.pop_front();
   pairUp();
 }
 
-void Synchroniser::pairUp() {
-  while (pairOne()) {
-  }
-}
-
-/// Each topic comes in its order: what came before either half of a pair finds no partner any more.
-bool Synchroniser::pairOne() {
-  for (std::size_t k = 0; k < clouds_.size(); ++k) {
-    const CloudPtr cloud = clouds_[k];
-    const std::optional<Neighbours> found = find(cloud->header.stamp);
-    if (!found) continue;
-    const OdometryPtr pose =
-        poseAt(cloud->header.stamp, poses_[found->before], poses_[found->after]);
-    const auto first_pose = static_cast<std::ptrdiff_t>(std::min(found->before, found->after));
-    poses_.erase(poses_.begin(), poses_.begin() + first_pose + (slop_ > 0.0 ? 0 : 1));
-    clouds_.erase(clouds_.begin(), clouds_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-    counts_.unmatched += k;
-    ++counts_.pairs;
-    on_pair_(cloud, pose);
-    return true;
-  }
-  return false;
+/// What came before the pose finds no cloud any more; interpolation may need it once again.
+OdometryPtr Synchroniser::findPose(const sensor_msgs::PointCloud2& cloud) {
+  const ros::Time& stamp = cloud.header.stamp;
+  const std::optional<Neighbours> found = find(stamp);
+  if (!found) return nullptr;
+  OdometryPtr pose = poseAt(stamp, poses_[found->before], poses_[found->after]);
+  const auto first = static_cast<std::ptrdiff_t>(std::min(found->before, found->after));
+  poses_.erase(poses_.begin(), poses_.begin() + first + (slop_ > 0.0 ? 0 : 1));
+  return pose;
 }
 
 std::optional<Synchroniser::Neighbours> Synchroniser::find(const ros::Time& stamp) const {

@@ -49,6 +49,7 @@ class Intake {
   void hand(const sensor_msgs::PointCloud2ConstPtr& cloud,
             const nav_msgs::OdometryConstPtr& odometry);
   void countGap(const std_msgs::Header& header);
+  CloudQueue& queue();
   void book();
   void poll();
 
