@@ -23,9 +23,7 @@ class CalibrateClasses : public test::DriveFixture {
     return drive() / "labels" / (number + ".label");
   }
   void expectFailure(const Outcome& outcome, int status, const std::string& part) const {
-    EXPECT_EQ(outcome.status, status) << outcome.err;
-    EXPECT_EQ(outcome.errorLines("error: "), 1) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, part));
+    expectError(outcome, status, part);
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(fs::exists(table()));
   }

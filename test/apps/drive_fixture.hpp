@@ -61,11 +61,15 @@ class DriveFixture : public ::testing::Test {
     return readText(result() / "labels" / ("00000" + std::to_string(scan) + ".label"));
   }
 
-  /// The program failed with one line that says so and left no results behind.
-  void expectRefusal(const Outcome& outcome, int status, const std::string& part) const {
+  /// The program failed with one line that says so.
+  static void expectError(const Outcome& outcome, int status, const std::string& part) {
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_EQ(outcome.errorLines("error: "), 1) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, part));
+  }
+  /// And left no results behind.
+  void expectRefusal(const Outcome& outcome, int status, const std::string& part) const {
+    expectError(outcome, status, part);
     EXPECT_FALSE(std::filesystem::exists(result() / "static_map.pcd"));
   }
 

@@ -42,9 +42,7 @@ class FitIntensity : public test::DriveFixture {
     }
   }
   void expectFailure(const Outcome& outcome, int status, const std::string& part) const {
-    EXPECT_EQ(outcome.status, status) << outcome.err;
-    EXPECT_EQ(outcome.errorLines("error: "), 1) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, part));
+    expectError(outcome, status, part);
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(fs::exists(plot()));
   }

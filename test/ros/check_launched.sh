@@ -2,14 +2,8 @@
 # Launches a file for real and waits until the results are there:
 # check_launched.sh DEVEL_DIR LAUNCH_DIR FILE ARGUMENT...   (OUT in an argument is a folder of its own)
 set -euo pipefail
-devel=$1
-file=$2/$3
-shift 3
-set +u  # catkin's own scripts read variables that need not be set
-# shellcheck disable=SC1091
-source "$devel/setup.bash"
-set -u
-export PATH="/usr/bin:$PATH"
+# shellcheck source=test/ros/devel_environment.sh
+source "$(dirname "${BASH_SOURCE[0]}")/devel_environment.sh"
 out=$(mktemp -d)
 port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI="http://localhost:$port"
