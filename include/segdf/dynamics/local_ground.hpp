@@ -14,9 +14,9 @@ namespace segdf {
 class LocalGround {
  public:
   /// Fits the plane to the ground points of the frame within 4 m of the area, the nearer the more.
-  /// @param places of the frame's points
   /// What sticks out above it, such as feet and wheels that were taken for ground, hardly counts.
   /// Where there is too little ground the height of frame.seg is used instead.
+  /// @param places of the frame's points
   LocalGround(const KeyFrame& frame, const AreaIndex& places, const Eigen::AlignedBox2f& area);
 
   /// Height of point i of the frame, metres.

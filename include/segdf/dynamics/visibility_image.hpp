@@ -32,11 +32,12 @@ class VisibilityImage {
                   const std::vector<PointRole>& roles,
                   const DynamicConfig& config);
 
-  /// States of places. @param places in any frame, metres. @param image_T_places takes them into
-  /// the sensor frame of this scan. @param states as many as places HIT when a bin within the
-  /// margin df.margin has its nearest or farthest return within the tolerance max(df.tau,
-  /// df.tau_ratio r) of range r; FREE when every non-empty bin there begins behind the tolerance;
-  /// OCCLUDED when at least half of them begin before it.
+  /// States of places. HIT when a bin within the margin df.margin has its nearest or farthest
+  /// return within the tolerance max(df.tau, df.tau_ratio r) of range r; FREE when every non-empty
+  /// bin there begins behind the tolerance; OCCLUDED when at least half of them begin before it.
+  /// @param places in any frame, a row each, metres
+  /// @param image_T_places takes them into the sensor frame of this scan
+  /// @param[out] states one for each place
   void look(const Eigen::Ref<const Eigen::MatrixX3f>& places,
             const Eigen::Isometry3f& image_T_places,
             VolumetricState* states) const;
