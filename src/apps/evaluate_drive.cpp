@@ -2,12 +2,11 @@
 #include "evaluate_drive.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 #include "segdf/io/kitti_source.hpp"
 #include "segdf/io/label_file.hpp"
+#include "segdf/io/scan_name.hpp"
 
 namespace segdf::apps {
 
@@ -25,13 +24,6 @@ std::size_t countLabels(const fs::path& folder) {
                     [](const auto& entry) { return entry.path().extension() == ".label"; }));
 }
 
-/// segdf numbers its label files from 0, whatever the scans are called.
-std::string labelName(std::size_t number) {
-  std::ostringstream name;
-  name << std::setw(6) << std::setfill('0') << number << ".label";
-  return name.str();
-}
-
 IoError wrongCount(std::size_t labels, const fs::path& folder, std::size_t scans) {
   return IoError(std::to_string(labels) + " label files in " + folder.string() + " for " +
                  std::to_string(scans) + " scans; are they of the same drive?");
@@ -44,7 +36,8 @@ std::vector<fs::path> estimateFiles(const KittiSource& source, const fs::path& f
   if (!of_whole_drive && labels != source.size()) throw wrongCount(labels, folder, source.size());
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    files.push_back(folder / labelName(of_whole_drive ? source.positionOf(i) : i));
+    // segdf numbers its label files from 0, whatever the scans are called.
+    files.push_back(folder / (scanName(of_whole_drive ? source.positionOf(i) : i) + ".label"));
   }
   return files;
 }

@@ -125,9 +125,7 @@ int OfflineRunner::run() {
     if (dump) dump->finish();
     return code;
   } catch (const IoError& error) {
-    writer.salvage();
-    throw IoError(std::string(error.what()) + " (what was computed is in " +
-                  writer.staging().string() + ")");
+    writer.abandon(error);
   }
 }
 

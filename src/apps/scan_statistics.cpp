@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "segdf/core/quantile.hpp"
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/evaluation/point_grid.hpp"
 #include "segdf/segmentation/ring_recovery.hpp"
@@ -30,16 +31,9 @@ constexpr std::array<std::pair<std::uint16_t, const char*>, 6> kClasses{{{10, "c
 
 double rangeOf(const Point& point) { return point.position().cast<double>().norm(); }
 
-bool isGroundClass(std::uint16_t semantic_class) {
-  constexpr std::array<std::uint16_t, 6> kGround{40, 44, 48, 49, 60, 72};
-  return std::find(kGround.begin(), kGround.end(), semantic_class) != kGround.end();
-}
-
-std::optional<double> quantile(std::vector<double> values, double share) {
+std::optional<double> quantileOf(std::vector<double> values, double share) {
   if (values.empty()) return std::nullopt;
-  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
+  return quantile(std::move(values), share);
 }
 
 std::optional<double> mean(const std::vector<double>& values) {
@@ -81,7 +75,7 @@ void ScanStatistics::addRings(const std::vector<Point>& points) {
       steps.push_back(azimuthStep(ringed[i - 1], ringed[i]));
     }
   }
-  const double step = quantile(std::move(steps), 0.5).value_or(kTurn);
+  const double step = quantileOf(std::move(steps), 0.5).value_or(kTurn);
   returns_.part += points.size();
   returns_.whole += static_cast<std::size_t>(static_cast<double>(counts.size()) * kTurn / step);
   std::size_t ring = 0;
@@ -99,7 +93,7 @@ void ScanStatistics::addPoints(const FrameResult& frame, const std::vector<std::
     ground_.count(frame.labels[i].state == PointState::kGround);
     if (truth.empty() || sk::isIgnored(sk::classOf(truth[i]))) continue;
     const std::uint16_t semantic_class = sk::classOf(truth[i]);
-    truth_ground_.count(isGroundClass(semantic_class));
+    truth_ground_.count(sk::isGround(semantic_class));
     intensity_[{semantic_class, band}].add(static_cast<double>(point.intensity));
   }
 }
@@ -174,14 +168,14 @@ std::vector<std::pair<std::string, std::optional<double>>> ScanStatistics::rows(
   add("ground by the filter, %", ground_.percent());
   add("ground by the labels, %", truth_ground_.percent());
   add("clusters a scan", clusters_.value());
-  add("points a cluster, median", quantile(cluster_points_, 0.5));
-  add("points a cluster, 90 % quantile", quantile(cluster_points_, 0.9));
-  add("length of a cluster, median, m", quantile(cluster_lengths_, 0.5));
-  add("neighbour in the next scan, median, m", quantile(neighbour_distances_, 0.5));
-  add("neighbour in the next scan, 90 % quantile, m", quantile(neighbour_distances_, 0.9));
+  add("points a cluster, median", quantileOf(cluster_points_, 0.5));
+  add("points a cluster, 90 % quantile", quantileOf(cluster_points_, 0.9));
+  add("length of a cluster, median, m", quantileOf(cluster_lengths_, 0.5));
+  add("neighbour in the next scan, median, m", quantileOf(neighbour_distances_, 0.5));
+  add("neighbour in the next scan, 90 % quantile, m", quantileOf(neighbour_distances_, 0.9));
   add("F of what stands, mean", mean(free_shares_));
-  add("F of what stands, 90 % quantile", quantile(free_shares_, 0.9));
-  add("F of what stands, 99 % quantile", quantile(free_shares_, 0.99));
+  add("F of what stands, 90 % quantile", quantileOf(free_shares_, 0.9));
+  add("F of what stands, 99 % quantile", quantileOf(free_shares_, 0.99));
   for (const auto& [semantic_class, name] : kClasses) {
     for (std::size_t k = 1; k + 2 < kRangeBands; ++k) {
       const auto found = intensity_.find({semantic_class, k});

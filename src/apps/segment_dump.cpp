@@ -5,14 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iomanip>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/io/pcd_stream.hpp"
 #include "segdf/io/png_file.hpp"
+#include "segdf/io/scan_name.hpp"
 #include "segdf/mapping/map_point.hpp"
 #include "segdf/ros/colours.hpp"
 
@@ -115,10 +114,9 @@ SegmentDump::SegmentDump(const std::filesystem::path& folder) : folder_(folder) 
 
 void SegmentDump::add(const FrameResult& frame) {
   if (frame.status != FrameStatus::kMapped) return;
-  std::ostringstream name;
-  name << std::setw(6) << std::setfill('0') << frame.index;
-  write(folder_.staging() / kInstances / name.str(), frame, instanceColour);
-  write(folder_.staging() / kClasses / name.str(), frame, classColour);
+  const std::string name = scanName(frame.index);
+  write(folder_.staging() / kInstances / name, frame, instanceColour);
+  write(folder_.staging() / kClasses / name, frame, classColour);
 }
 
 }  // namespace segdf::apps

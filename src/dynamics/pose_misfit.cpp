@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "segdf/core/quantile.hpp"
+
 namespace segdf {
 
 namespace {
@@ -73,9 +75,7 @@ double poseMisfit(const KeyFrame& from, const KeyFrame& to, const CurvedGrid& gr
   std::vector<double> misfits;
   misfits.reserve(queries.size());
   for (const Query& query : queries) misfits.push_back(query.misfit);
-  const auto middle = misfits.begin() + static_cast<std::ptrdiff_t>(misfits.size() / 2);
-  std::nth_element(misfits.begin(), middle, misfits.end());
-  return *middle;
+  return medianOf(std::move(misfits));
 }
 
 }  // namespace segdf

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <exception>
-#include <iomanip>
-#include <sstream>
 
 #include "segdf/core/semantic_kitti.hpp"
 #include "segdf/io/atomic_file.hpp"
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/io/instance_csv.hpp"
 #include "segdf/io/label_file.hpp"
+#include "segdf/io/scan_name.hpp"
 #include "segdf/io/top_down_image.hpp"
 
 namespace segdf {
@@ -24,12 +23,6 @@ void writeText(const std::filesystem::path& file, const std::string& text) {
   AtomicFile out(file);
   out.write(text);
   out.commit();
-}
-
-std::string labelName(std::size_t index) {
-  std::ostringstream name;
-  name << std::setw(6) << std::setfill('0') << index << ".label";
-  return name.str();
 }
 
 std::vector<std::uint32_t> encodeAll(const std::vector<PointLabel>& labels) {
@@ -65,7 +58,8 @@ void DriveWriter::add(const FrameResult& frame) {
   report_.add(frame);
   instances_.add(frame);
   evidence_.add(frame);
-  writeLabels(folder_.staging() / "labels" / labelName(frame.index), encodeAll(frame.labels));
+  writeLabels(folder_.staging() / "labels" / (scanName(frame.index) + ".label"),
+              encodeAll(frame.labels));
   dynamic_points_.add(
       pointsWhere(frame, [](PointState state) { return state == PointState::kDynamic; }));
   if (voxel_map_) {
@@ -92,6 +86,12 @@ void DriveWriter::drawMap() const {
     forEachPoint(folder_.staging() / name, [&image](const MapPoint& point) { image.add(point); });
   }
   image.write(folder_.staging() / "map.png");
+}
+
+void DriveWriter::abandon(const IoError& reason) {
+  salvage();
+  throw IoError(std::string(reason.what()) + " (what was computed is in " +
+                folder_.staging().string() + ")");
 }
 
 void DriveWriter::salvage() noexcept {

@@ -2,26 +2,19 @@
 #include "segdf/io/kitti_writer.hpp"
 
 #include <array>
-#include <iomanip>
-#include <sstream>
 
 #include "segdf/core/config.hpp"
 #include "segdf/io/atomic_file.hpp"
 #include "segdf/io/kitti_source.hpp"
 #include "segdf/io/label_file.hpp"
 #include "segdf/io/pose_file.hpp"
+#include "segdf/io/scan_name.hpp"
 
 namespace segdf {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string scanName(std::size_t index) {
-  std::ostringstream name;
-  name << std::setw(6) << std::setfill('0') << index;
-  return name.str();
-}
 
 void writeText(const fs::path& file, const std::string& text) {
   AtomicFile out(file);

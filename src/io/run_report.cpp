@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 #include <sys/resource.h>
 
+#include "segdf/core/quantile.hpp"
 #include "segdf/io/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -64,13 +64,7 @@ void RunReport::add(const FrameResult& frame) {
   times_.dynamics += frame.times.dynamics;
 }
 
-double RunReport::medianMisfit() const {
-  if (misfits_.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> sorted = misfits_;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
-}
+double RunReport::medianMisfit() const { return medianOf(misfits_); }
 
 void RunReport::setInstances(std::size_t instances, std::size_t removed) {
   instances_ = instances;

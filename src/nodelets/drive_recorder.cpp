@@ -27,10 +27,8 @@ void DriveRecorder::orClose(const Action& action) {
   try {
     action();
   } catch (const IoError& error) {
-    writer_->salvage();
-    const std::string staging = writer_->staging().string();
-    writer_.reset();
-    throw IoError(std::string(error.what()) + " (what was computed is in " + staging + ")");
+    const std::unique_ptr<DriveWriter> failed = std::move(writer_);
+    failed->abandon(error);
   }
 }
 

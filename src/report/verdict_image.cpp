@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "segdf/core/quantile.hpp"
+
 namespace segdf {
 
 namespace {
@@ -26,12 +28,7 @@ std::pair<double, double> middleOf(const std::vector<Eigen::Vector3f>& points, i
   std::vector<float> values;
   values.reserve(points.size());
   for (const Eigen::Vector3f& p : points) values.push_back(p[axis]);
-  const auto at = [&values](double share) {
-    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + k, values.end());
-    return static_cast<double>(values[static_cast<std::size_t>(k)]);
-  };
-  return {at(kLeftOut), at(1.0 - kLeftOut)};
+  return {quantile(values, kLeftOut), quantile(values, 1.0 - kLeftOut)};
 }
 
 /// Where points fall in the picture.

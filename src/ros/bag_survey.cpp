@@ -124,9 +124,9 @@ std::vector<RecordPair> pairUp(const BagSurvey& survey) {
 
 BagTopics findDrive(const TopicTypes& types, const BagTopics& wanted, const std::string& where) {
   BagTopics found;
-  found.cloud = chooseOrOnly(types, wanted.cloud, "sensor_msgs/PointCloud2",
+  found.cloud = chooseOrOnly(types, wanted.cloud, topics::kCloudType,
                              [&](auto& name) { return chooseCloudTopic(types, name, where); });
-  found.odometry = chooseOrOnly(types, wanted.odometry, "nav_msgs/Odometry", [&](auto& name) {
+  found.odometry = chooseOrOnly(types, wanted.odometry, topics::kOdometryType, [&](auto& name) {
     return chooseOdometryTopic(types, name, where);
   });
   return found;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "segdf/core/quantile.hpp"
 #include "segdf/ros/drive_check.hpp"
 #include "segdf/ros/topics.hpp"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "segdf/core/quantile.hpp"
 #include "segdf/dynamics/pose_misfit.hpp"
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/ros/cloud_fields.hpp"

@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 
+#include "segdf/core/quantile.hpp"
 #include "segdf/segmentation/intensity.hpp"
 
 namespace segdf {
@@ -30,7 +31,6 @@ constexpr double kFarthest = 0.9;
 constexpr double kErrors = 2.0;       // standard errors
 constexpr double kFull = 0.99;        // quantile taken for full scale: above are reflectors
 constexpr double kScaleFactor = 2.0;  // a profile's scale is kept within this factor
-constexpr double kVelodyneDiffuse = 100.0;
 constexpr double kDiffuseShare = 0.95;
 constexpr double kUnit = 1.0;
 
@@ -126,12 +126,10 @@ void IntensitySamples::addSurface(const std::vector<Value>& values) {
 }
 
 double IntensitySamples::quantile(double share) const {
-  std::vector<float> sorted;
-  sorted.reserve(values_.size());
-  for (const Value& v : values_) sorted.push_back(v.intensity);
-  const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), sorted.begin() + k, sorted.end());
-  return double{sorted[static_cast<std::size_t>(k)]};
+  std::vector<float> intensities;
+  intensities.reserve(values_.size());
+  for (const Value& v : values_) intensities.push_back(v.intensity);
+  return double{segdf::quantile(std::move(intensities), share)};
 }
 
 /// The cells with the mean of their surface taken off, which takes its material out.
@@ -201,8 +199,9 @@ void IntensitySamples::addBins(const Eigen::Vector2d& slope, IntensityFit& fit) 
 /// By the scale of the values alone.
 IntensityProfile IntensitySamples::compensatedProfile() const {
   if (greatest_ <= kUnit) return IntensityProfile::kKittiHdl64;
-  return quantile(kDiffuseShare) <= kVelodyneDiffuse ? IntensityProfile::kVelodyneReflectivity
-                                                     : IntensityProfile::kOusterReflectivity;
+  const double diffuse = intensityModel(IntensityProfile::kVelodyneReflectivity).full_scale;
+  return quantile(kDiffuseShare) <= diffuse ? IntensityProfile::kVelodyneReflectivity
+                                            : IntensityProfile::kOusterReflectivity;
 }
 
 /// Sensor value, at r_ref and facing, that few exceed.
@@ -214,9 +213,7 @@ double IntensitySamples::filledScale(IntensityProfile profile) const {
     values.push_back(double{v.intensity} *
                      calibrationGain(double{v.range}, double{v.cosine}, model, config_));
   }
-  const auto k = static_cast<std::ptrdiff_t>(kFull * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return toThreeDigits(values[static_cast<std::size_t>(k)]);
+  return toThreeDigits(segdf::quantile(std::move(values), kFull));
 }
 
 IntensityProposal IntensitySamples::propose(const IntensityFit& fit) const {

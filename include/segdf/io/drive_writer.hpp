@@ -14,6 +14,7 @@
 #include "segdf/io/output_folder.hpp"
 #include "segdf/io/pcd_stream.hpp"
 #include "segdf/io/run_report.hpp"
+#include "segdf/io/scan_source.hpp"
 #include "segdf/mapping/instance_table.hpp"
 #include "segdf/mapping/static_map.hpp"
 
@@ -35,11 +36,11 @@ class DriveWriter {
 
   RunReport& report() { return report_; }
   /// After a failure: makes the maps in the staging folder whole, as far as they were written.
-  void salvage() noexcept;
-  /// Where results are until finish().
-  const std::filesystem::path& staging() const { return folder_.staging(); }
+  /// @throws IoError with the reason, and where they are
+  [[noreturn]] void abandon(const IoError& reason);
 
  private:
+  void salvage() noexcept;
   void writeInstances();
   void drawMap() const;
 

@@ -20,7 +20,4 @@ struct BagReport {
 /// A number with so many digits behind the point.
 std::string fixed(double value, int digits);
 
-/// The middle one of the values, NaN if there are none.
-double medianOf(std::vector<double> values);
-
 }  // namespace segdf
