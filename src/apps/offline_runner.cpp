@@ -3,10 +3,12 @@
 
 #include <array>
 #include <csignal>
+#include <future>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/pipeline/pipeline.hpp"
@@ -59,13 +61,24 @@ void OfflineRunner::filter(ScanSource& source,
                            std::optional<Scan> scan,
                            const Config& config,
                            const std::function<void(const FrameResult&)>& take) {
+  // With more than one thread the next scan is read and the last frames are written meanwhile.
+  const auto when = options_.threads > 1 ? std::launch::async : std::launch::deferred;
+  const auto take_all = [&take](const std::vector<FrameResult>& frames) {
+    for (const FrameResult& frame : frames) take(frame);
+  };
   Pipeline pipeline(config, options_.threads);
   Progress progress(source.size());
-  for (std::size_t done = 1; scan; scan = nextScan(source), ++done) {
-    for (const FrameResult& frame : pipeline.process(std::move(*scan))) take(frame);
+  std::future<void> taken = std::async(when, [] {});
+  for (std::size_t done = 1; scan; ++done) {
+    std::future<std::optional<Scan>> next = std::async(when, [&] { return nextScan(source); });
+    std::vector<FrameResult> frames = pipeline.process(std::move(*scan));
+    taken.get();
+    taken = std::async(when, [&take_all, frames = std::move(frames)] { take_all(frames); });
+    scan = next.get();
     progress.show(done);
   }
-  for (const FrameResult& frame : pipeline.flush()) take(frame);
+  taken.get();
+  take_all(pipeline.flush());
   progress.finish();
 }
 

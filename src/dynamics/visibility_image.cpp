@@ -183,20 +183,24 @@ VolumetricState VisibilityImage::search(const Bin& bin,
   int seen = 0;
   int behind = 0;
   int before = 0;
-  const int last = std::min(rows_ - 1, bin.row + window.rows);
-  for (int row = std::max(0, bin.row - window.rows); row <= last; ++row) {
-    for (int c = bin.column - window.columns; c <= bin.column + window.columns; ++c) {
-      const std::size_t at = index(row, c);
+  const auto hits = [&](int row) {
+    const std::size_t first = index(row, bin.column - window.columns);
+    for (std::size_t at = first; at <= first + 2 * static_cast<std::size_t>(window.columns); ++at) {
       const int nearest = nearest_[at];
       const int farthest = farthest_[at];
       if (nearest == kEmpty) continue;
-      if ((nearest >= near && nearest <= far) || (farthest >= near && farthest <= far)) {
-        return VolumetricState::kHit;
-      }
+      if ((nearest >= near && nearest <= far) || (farthest >= near && farthest <= far)) return true;
       ++seen;
       behind += nearest > far ? 1 : 0;
       before += nearest < near ? 1 : 0;
     }
+    return false;
+  };
+  // From the middle outwards: what is found again is mostly found close by.
+  if (hits(bin.row)) return VolumetricState::kHit;
+  for (int away = 1; away <= window.rows; ++away) {
+    if (bin.row - away >= 0 && hits(bin.row - away)) return VolumetricState::kHit;
+    if (bin.row + away < rows_ && hits(bin.row + away)) return VolumetricState::kHit;
   }
   const bool own = nearest_[index(bin.row, bin.column)] != kEmpty;
   if (seen > 0 && behind == seen && (own || seen >= kEnoughBins)) return VolumetricState::kFree;

@@ -75,10 +75,9 @@ std::vector<Point> readPoints(const fs::path& file) {
   stream.seekg(0);
   stream.read(reinterpret_cast<char*>(raw.data()), static_cast<std::streamsize>(bytes));
   if (!stream) throw IoError("cannot read scan " + file.string() + " to its end");
-  std::vector<Point> points(raw.size());
-  std::transform(raw.begin(), raw.end(), points.begin(), [](const std::array<float, 4>& p) {
-    return Point{p[0], p[1], p[2], p[3], 0.0F, -1};
-  });
+  std::vector<Point> points;
+  points.reserve(raw.size());
+  for (const std::array<float, 4>& p : raw) points.push_back({p[0], p[1], p[2], p[3], 0.0F, -1});
   return points;
 }
 

@@ -14,16 +14,12 @@ std::string encodePng(const RgbImage& image) {
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
   png.format = PNG_FORMAT_RGB;
-  png_alloc_size_t bytes = 0;
-  std::string file;
-  const auto write = [&](void* memory) {
-    return png_image_write_to_memory(&png, memory, &bytes, 0, image.rgb.data(), 0, nullptr) != 0;
-  };
-  bool written = write(nullptr);  // asks for the size
-  if (written) {
-    file.resize(bytes);
-    written = write(file.data());
-  }
+  // The fastest compression makes files a tenth larger in a third of the time.
+  png.flags = PNG_IMAGE_FLAG_FAST;
+  png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string file(bytes, '\0');
+  const bool written =
+      png_image_write_to_memory(&png, file.data(), &bytes, 0, image.rgb.data(), 0, nullptr) != 0;
   if (!written) throw IoError(std::string("cannot make a PNG image: ") + png.message);
   file.resize(bytes);
   return file;

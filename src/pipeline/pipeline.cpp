@@ -93,6 +93,13 @@ class Pipeline::Impl {
     measureMisfit(*frame);
     entries_.push_back({next_index_++, {}, std::move(frame)});
     filter_->observe(keyFrames());
+    forgetDetails(keyFrames());
+  }
+
+  /// A third of a frame's memory is for questions to the newest frame and to the one before it.
+  static void forgetDetails(const Window& window) {
+    window.back()->seg.forgetSurfaces();
+    if (window.size() > 2) window[window.size() - 3]->seg.forgetVoxels();
   }
 
   void measureMisfit(KeyFrame& frame) const {

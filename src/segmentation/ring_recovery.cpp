@@ -40,14 +40,13 @@ std::vector<Direction> directionsOf(const std::vector<Point>& points) {
   return directions;
 }
 
-/// Smallest signed turn from a to b.
-double turn(double a, double b) { return std::remainder(b - a, 2.0 * kPi); }
-
 /// +1 when the azimuth mostly rises from point to point, -1 when it falls.
 double sweepDirection(const std::vector<Direction>& directions) {
   std::ptrdiff_t rising = 0;
   for (std::size_t i = 1; i < directions.size(); ++i) {
-    rising += turn(directions[i - 1].azimuth, directions[i].azimuth) > 0.0 ? 1 : -1;
+    const double turn = directions[i].azimuth - directions[i - 1].azimuth;
+    // More than half a turn is the smaller one the other way round.
+    rising += (turn > 0.0) == (std::abs(turn) <= kPi) && turn != 0.0 ? 1 : -1;
   }
   return rising >= 0 ? 1.0 : -1.0;
 }
@@ -67,8 +66,10 @@ Cut cutAt(const std::vector<Direction>& directions, double start, double directi
   double previous = 0.0;
   std::int16_t ring = 0;
   for (const Direction& d : directions) {
+    // Azimuths and starts are less than a turn and a half apart.
     double swept = direction * (d.azimuth - start);
-    swept -= 2.0 * kPi * std::floor(swept / (2.0 * kPi));
+    if (swept < 0.0) swept += 2.0 * kPi;
+    if (swept >= 2.0 * kPi) swept -= 2.0 * kPi;
     if (swept < previous - kPi && ring <= static_cast<std::int16_t>(kMaxRings)) ++ring;
     previous = swept;
     cut.rings.push_back(ring);

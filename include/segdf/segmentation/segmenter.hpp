@@ -25,6 +25,18 @@ struct Segmentation {
   Clusters clusters;
   std::vector<Segment> segments;  ///< segment s is cluster s; box, features and class still empty
   std::size_t non_finite_points = 0;
+
+  /// Gives back the memory of row, column and surfaces, for when all segments are described.
+  void forgetSurfaces() {
+    row = {};
+    column = {};
+    surfaces = {};
+  }
+  /// Gives back that of voxels and clusters, for when no other scan is laid over this one any more.
+  void forgetVoxels() {
+    voxels = {};
+    clusters = {};
+  }
 };
 
 /// Which points take part: finite, within range, not on the own vehicle. The others are kUnused.
