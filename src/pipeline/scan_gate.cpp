@@ -24,14 +24,16 @@ FrameStatus ScanGate::admit(const Scan& scan) {
   if (last_stamp_ns_ && scan.stamp_ns <= *last_stamp_ns_) return FrameStatus::kTimeBackwards;
   if (!hasUsablePoint(scan, config_)) return FrameStatus::kEmpty;
   last_stamp_ns_ = scan.stamp_ns;
-  if (!isKeyFrame(scan.pose)) return FrameStatus::kNotKeyFrame;
-  last_key_ = scan.pose;
+  if (!isKeyFrame(scan)) return FrameStatus::kNotKeyFrame;
+  last_key_ = KeyPose{scan.pose, scan.stampSeconds()};
   return FrameStatus::kMapped;
 }
 
-bool ScanGate::isKeyFrame(const Pose& pose) const {
+bool ScanGate::isKeyFrame(const Scan& scan) const {
   if (!last_key_ || config_.keyframe_distance <= 0.0) return true;
-  const Pose moved = last_key_->inverse() * pose;
+  const double waited = scan.stampSeconds() - last_key_->seconds;
+  if (config_.keyframe_time > 0.0 && waited >= config_.keyframe_time) return true;
+  const Pose moved = last_key_->pose.inverse() * scan.pose;
   if (moved.translation().norm() >= config_.keyframe_distance) return true;
   const double turn = Eigen::AngleAxisd(moved.linear()).angle() * kDegrees;
   return config_.keyframe_angle > 0.0 && turn >= config_.keyframe_angle;

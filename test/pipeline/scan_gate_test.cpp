@@ -45,6 +45,22 @@ TEST(ScanGate, KeyFramesByWayOrTurn) {
   EXPECT_EQ(gate.admit(turned), FrameStatus::kMapped);
 }
 
+TEST(ScanGate, WhoStandsStillLooksOnNowAndThen) {
+  constexpr std::int64_t kSecond = 1000000000;
+  InputConfig config;
+  config.keyframe_distance = 2.0;
+  config.keyframe_time = 1.0;
+  ScanGate gate(config);
+  EXPECT_EQ(gate.admit(scanAt(0.0, kSecond)), FrameStatus::kMapped);
+  EXPECT_EQ(gate.admit(scanAt(0.0, 2 * kSecond - 1000)), FrameStatus::kNotKeyFrame);
+  EXPECT_EQ(gate.admit(scanAt(0.0, 2 * kSecond + 1000)), FrameStatus::kMapped);
+  EXPECT_EQ(gate.admit(scanAt(0.0, 3 * kSecond)), FrameStatus::kNotKeyFrame);
+  config.keyframe_time = 0.0;
+  gate = ScanGate(config);
+  EXPECT_EQ(gate.admit(scanAt(0.0, kSecond)), FrameStatus::kMapped);
+  EXPECT_EQ(gate.admit(scanAt(0.0, 100 * kSecond)), FrameStatus::kNotKeyFrame);
+}
+
 TEST(ScanGate, ADistanceOfZeroMakesEveryScanAKeyFrame) {
   ScanGate gate{InputConfig{}};
   for (std::int64_t k = 1; k < 5; ++k) EXPECT_EQ(gate.admit(scanAt(0.0, k)), FrameStatus::kMapped);

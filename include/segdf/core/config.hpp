@@ -28,6 +28,7 @@ struct InputConfig {
   std::array<double, 4> ego_box{0.0, 0.0, 0.0, 0.0};
   double keyframe_distance = 0.0;
   double keyframe_angle = 0.0;
+  double keyframe_time = 1.0;
   double max_misfit = 0.10;
   double max_jump = 1.0;
 
@@ -41,7 +42,9 @@ struct InputConfig {
     v.number("keyframe_distance", s.keyframe_distance, 0.0, 100.0, "m",
              "way between key frames; 0 makes every scan a key frame");
     v.number("keyframe_angle", s.keyframe_angle, 0.0, 180.0, "deg",
-             "turn that makes a key frame however short the way; 0 = way only");
+             "turn that makes a key frame however short the way; 0 = no turn does");
+    v.number("keyframe_time", s.keyframe_time, 0.0, 3600.0, "s",
+             "wait that makes one: who stands still must see what drives off; 0 = no wait does");
     v.number("max_misfit", s.max_misfit, 0.01, 10.0, "m",
              "warn when the median misfit of consecutive key frames is above");
     v.number("max_jump", s.max_jump, 0.0, 1000.0, "m",

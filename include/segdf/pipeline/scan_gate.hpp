@@ -20,11 +20,16 @@ class ScanGate {
   FrameStatus admit(const Scan& scan);
 
  private:
-  bool isKeyFrame(const Pose& pose) const;
+  struct KeyPose {
+    Pose pose;
+    double seconds = 0.0;
+  };
+
+  bool isKeyFrame(const Scan& scan) const;
 
   InputConfig config_;
   std::optional<std::int64_t> last_stamp_ns_;
-  std::optional<Pose> last_key_;
+  std::optional<KeyPose> last_key_;
 };
 
 }  // namespace segdf
