@@ -87,8 +87,7 @@ void FilterStage::publish(const std::vector<FrameResult>& frames) {
     outputs_.publish(frame, header_.frame_id, counts);
     record(frame);
     check(frame);
-    const bool due = counts.frames % static_cast<std::size_t>(parameters_.map_every) == 0;
-    if (due && outputs_.mapHasViewers()) publishMap();
+    if (outputs_.isMapDue(counts.frames)) publishMap();
   }
 }
 

@@ -8,6 +8,7 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "segdf/mapping/static_map.hpp"
 #include "segdf/ros/conversions.hpp"
 #include "segdf/ros/instance_messages.hpp"
 #include "segdf/ros/markers.hpp"
@@ -50,13 +51,29 @@ OutputTopics::OutputTopics(ros::NodeHandle& node,
       "static_map", 1, connected, ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
 }
 
+void OutputTopics::show(const DisplayConfig& display) {
+  const std::lock_guard<std::mutex> lock(display_mutex_);
+  display_ = display;
+}
+
+DisplayConfig OutputTopics::display() const {
+  const std::lock_guard<std::mutex> lock(display_mutex_);
+  return display_;
+}
+
+bool OutputTopics::isMapDue(std::size_t frames) const {
+  return frames % static_cast<std::size_t>(display().map_every) == 0 && mapHasViewers();
+}
+
 void OutputTopics::publish(const FrameResult& frame,
                            const std::string& frame_id,
                            const Counts& counts) {
   publishCloud(static_cloud_, frame, frame_id, CloudKind::kStatic);
   publishCloud(dynamic_cloud_, frame, frame_id, CloudKind::kDynamic);
   publishCloud(labelled_cloud_, frame, frame_id, CloudKind::kLabelled);
-  if (markers_.getNumSubscribers() > 0) publishShared(markers_, toMarkers(frame, frame_id));
+  if (markers_.getNumSubscribers() > 0) {
+    publishShared(markers_, toMarkers(frame, frame_id, display()));
+  }
   if (instances_.getNumSubscribers() > 0) publishShared(instances_, toInstances(frame, frame_id));
   if (frame_report_.getNumSubscribers() == 0) return;
   FrameReport report = toReport(frame, frame_id);
@@ -65,7 +82,8 @@ void OutputTopics::publish(const FrameResult& frame,
 }
 
 void OutputTopics::publishMap(const std::vector<MapPoint>& points, const std_msgs::Header& header) {
-  publishShared(static_map_, toCloud(points, header));
+  const double voxel = display().map_voxel;
+  publishShared(static_map_, toCloud(voxel > 0.0 ? thinned(points, voxel) : points, header));
 }
 
 }  // namespace segdf

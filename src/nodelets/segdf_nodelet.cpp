@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/nodelets/segdf_nodelet.hpp"
 
+#include <cstdint>
 #include <future>
 #include <utility>
 
@@ -48,6 +49,7 @@ SegdfNodelet::~SegdfNodelet() {
   for (ros::ServiceServer* service : {&flush_service_, &reset_service_, &save_service_}) {
     service->shutdown();
   }
+  display_server_.reset();
   diagnostics_.reset();
   intake_.reset();
   worker_.reset();
@@ -84,6 +86,7 @@ void SegdfNodelet::start() {
                                      intakeHandlers(), tf_buffer_.get());
   diagnostics_ = std::make_unique<Diagnostics>(getNodeHandle(), node, getName(), ledger_);
   advertiseServices();
+  offerDisplayOptions();
 }
 
 void SegdfNodelet::startTf(const NodeParameters& node) {
@@ -115,6 +118,18 @@ void SegdfNodelet::advertiseServices() {
   flush_service_ = node.advertiseService("flush", &SegdfNodelet::onFlush, this);
   reset_service_ = node.advertiseService("reset", &SegdfNodelet::onReset, this);
   save_service_ = node.advertiseService("save_map", &SegdfNodelet::onSaveMap, this);
+}
+
+/// The server reads the same parameters again; outside their bounds they have been refused.
+void SegdfNodelet::offerDisplayOptions() {
+  using Server = dynamic_reconfigure::Server<DisplayConfig>;
+  display_server_ = std::make_unique<Server>(getPrivateNodeHandle());
+  display_server_->setCallback([this](const DisplayConfig& display, std::uint32_t /*level*/) {
+    outputs_->show(display);
+    worker_->tryPost([this] {
+      if (outputs_->mapHasViewers()) stage_->publishMap();
+    });
+  });
 }
 
 /// Waits until the worker has come so far: what waits in its queue goes first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/ros/bag_check.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 
@@ -15,6 +16,7 @@
 #include "segdf/ros/conversions.hpp"
 #include "segdf/ros/drive_check.hpp"
 #include "segdf/ros/scan_check.hpp"
+#include "segdf/ros/tf_survey.hpp"
 #include "segdf/ros/topics.hpp"
 
 namespace segdf {
@@ -137,6 +139,23 @@ void checkDrive(const rosbag::Bag& bag,
   lookIntoScans(bag, survey, chooseSamples(inOrder(survey), options.all_scans), report);
 }
 
+/// Without odometry, poses may be in tf; only the launch file takes them from there.
+void checkForTf(const rosbag::Bag& bag,
+                const TopicTypes& types,
+                const std::filesystem::path& file,
+                const std::string& wanted_cloud) {
+  const auto is_odometry = [](const auto& topic) { return topic.second == topics::kOdometryType; };
+  if (std::any_of(types.begin(), types.end(), is_odometry)) return;
+  const std::string where = "bag '" + file.string() + "'";
+  const std::string cloud = findCloudTopic(types, wanted_cloud, where);
+  const std::string arguments = tfArguments(bag, cloud);
+  if (arguments.empty()) return;
+  throw IoError(where +
+                " has no odometry, but tf knows the poses: segdf_offline needs odometry, "
+                "and live tf will do: " +
+                launchCommand(file, {cloud, ""}, arguments));
+}
+
 }  // namespace
 
 BagReport checkBag(const std::filesystem::path& file, const BagCheckOptions& options) {
@@ -147,6 +166,7 @@ BagReport checkBag(const std::filesystem::path& file, const BagCheckOptions& opt
     surveyTopics(*bag, survey);
     reportTopics(survey, report);
     if (survey.types.empty()) throw IoError("bag '" + file.string() + "' is empty: record again");
+    checkForTf(*bag, survey.types, file, options.topics.cloud);
     surveyDrive(*bag, options.topics, "bag '" + file.string() + "'", survey);
     report.topics = survey.topics;
     report.facts.emplace_back("clouds", survey.topics.cloud);
@@ -167,13 +187,16 @@ std::string offlineCommand(const std::filesystem::path& bag, const BagTopics& to
          (odometry.empty() ? "" : " --odometry-topic " + quoted(odometry)) + " --output result";
 }
 
-std::string launchCommand(const std::filesystem::path& bag, const BagTopics& topics) {
+std::string launchCommand(const std::filesystem::path& bag,
+                          const BagTopics& topics,
+                          const std::string& more) {
   const std::string cloud = topicOr(topics.cloud, topics::kRegisteredCloud);
   const std::string odometry = topicOr(topics.odometry, topics::kOdometry);
   return "roslaunch segdf segdf.launch " +
          quoted("bag:=" + std::filesystem::absolute(bag).lexically_normal().string()) +
          (cloud.empty() ? "" : " " + quoted("cloud_topic:=" + cloud)) +
-         (odometry.empty() ? "" : " " + quoted("odometry_topic:=" + odometry)) + " rviz:=true";
+         (odometry.empty() ? "" : " " + quoted("odometry_topic:=" + odometry)) +
+         (more.empty() ? "" : " " + more) + " rviz:=true";
 }
 
 }  // namespace segdf

@@ -122,10 +122,16 @@ std::vector<RecordPair> pairUp(const BagSurvey& survey) {
 
 }  // namespace
 
+std::string findCloudTopic(const TopicTypes& types,
+                           const std::string& wanted,
+                           const std::string& where) {
+  return chooseOrOnly(types, wanted, topics::kCloudType,
+                      [&](auto& name) { return chooseCloudTopic(types, name, where); });
+}
+
 BagTopics findDrive(const TopicTypes& types, const BagTopics& wanted, const std::string& where) {
   BagTopics found;
-  found.cloud = chooseOrOnly(types, wanted.cloud, topics::kCloudType,
-                             [&](auto& name) { return chooseCloudTopic(types, name, where); });
+  found.cloud = findCloudTopic(types, wanted.cloud, where);
   found.odometry = chooseOrOnly(types, wanted.odometry, topics::kOdometryType, [&](auto& name) {
     return chooseOdometryTopic(types, name, where);
   });

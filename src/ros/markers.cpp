@@ -2,6 +2,7 @@
 #include "segdf/ros/markers.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <tf2_eigen/tf2_eigen.h>
@@ -13,9 +14,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr float kBoxAlpha = 0.35F;
 constexpr double kLeastSide = 0.05;    // metres; rviz complains about boxes without extent
-constexpr double kTextHeight = 0.6;    // metres
 constexpr double kArrowShaft = 0.15;   // metres
 constexpr double kArrowHead = 0.4;     // metres
 constexpr double kLeastSpeed = 0.2;    // m/s; below it an arrow would only jitter
@@ -49,23 +48,23 @@ Marker markerOf(const InstanceObservation& instance, const std_msgs::Header& hea
   return marker;
 }
 
-Marker box(const InstanceObservation& instance, const std_msgs::Header& header) {
+Marker box(const InstanceObservation& instance, const std_msgs::Header& header, double opacity) {
   Marker marker = markerOf(instance, header);
   marker.ns = "box/" + toString(instance.object_class);
   marker.type = Marker::CUBE;
   marker.scale.x = std::max(instance.size.x(), kLeastSide);
   marker.scale.y = std::max(instance.size.y(), kLeastSide);
   marker.scale.z = std::max(instance.size.z(), kLeastSide);
-  marker.color = verdictColour(instance.dynamic, kBoxAlpha);
+  marker.color = verdictColour(instance.dynamic, static_cast<float>(opacity));
   return marker;
 }
 
-Marker text(const InstanceObservation& instance, const std_msgs::Header& header) {
+Marker text(const InstanceObservation& instance, const std_msgs::Header& header, double height) {
   Marker marker = markerOf(instance, header);
   marker.ns = "text/" + toString(instance.object_class);
   marker.type = Marker::TEXT_VIEW_FACING;
-  marker.pose.position.z += 0.5 * instance.size.z() + kTextDistance;
-  marker.scale.z = kTextHeight;
+  marker.pose.position.z += 0.5 * (instance.size.z() + height) + kTextDistance;
+  marker.scale.z = height;
   marker.color = verdictColour(instance.dynamic, 1.0F);
   marker.text = std::to_string(instance.id) + " " + toString(instance.object_class);
   return marker;
@@ -92,16 +91,19 @@ bool isMover(const InstanceObservation& instance) {
 
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const FrameResult& frame, const std::string& frame_id) {
+visualization_msgs::MarkerArray toMarkers(const FrameResult& frame,
+                                          const std::string& frame_id,
+                                          const DisplayConfig& display) {
   const std_msgs::Header header = toHeader(frame.scan, frame_id);
-  visualization_msgs::MarkerArray markers;
-  markers.markers.push_back(deleteAll(header));
+  visualization_msgs::MarkerArray array;
+  std::vector<Marker>& markers = array.markers;
+  markers.push_back(deleteAll(header));
   for (const InstanceObservation& instance : frame.instances) {
-    markers.markers.push_back(box(instance, header));
-    markers.markers.push_back(text(instance, header));
-    if (isMover(instance)) markers.markers.push_back(arrow(instance, header));
+    if (display.box_opacity > 0.0) markers.push_back(box(instance, header, display.box_opacity));
+    if (display.text_size > 0.0) markers.push_back(text(instance, header, display.text_size));
+    if (isMover(instance)) markers.push_back(arrow(instance, header));
   }
-  return markers;
+  return array;
 }
 
 }  // namespace segdf

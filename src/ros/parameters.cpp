@@ -4,7 +4,9 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 #include <yaml-cpp/yaml.h>
 
@@ -81,11 +83,20 @@ void readFlag(const std::string& name, XmlRpcValue& value, bool& target) {
   target = value;
 }
 
+double numberIn(XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeInt:
+      return static_cast<int>(value);
+    case XmlRpcValue::TypeDouble:
+      return static_cast<double>(value);
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
 void readSeconds(const std::string& name, XmlRpcValue& value, double& target) {
-  const bool whole = value.getType() == XmlRpcValue::TypeInt;
-  const bool number = whole || value.getType() == XmlRpcValue::TypeDouble;
-  if (number) target = whole ? static_cast<int>(value) : static_cast<double>(value);
-  if (!number || !(target >= 0.0 && target <= 1.0)) refuse(name, value, "a number in [0, 1] s");
+  target = numberIn(value);
+  if (!(target >= 0.0 && target <= 1.0)) refuse(name, value, "a number in [0, 1] s");
 }
 
 void readSensor(const std::string& name, XmlRpcValue& value, std::string& target) {
@@ -110,12 +121,29 @@ Reader integer(int NodeParameters::*member, int max) {
   });
 }
 
+/// Bounds are those of cfg/Display.cfg. dynamic_reconfigure itself would take the nearest silently.
+template <class Value>
+Reader display(Value DisplayConfig::*member) {
+  return [member](const std::string& name, XmlRpcValue& value, NodeParameters& node) {
+    const double number = numberIn(value);
+    const Value min = DisplayConfig::__getMin__().*member;
+    const Value max = DisplayConfig::__getMax__().*member;
+    const bool whole = std::is_integral_v<Value>;
+    const bool fits = !whole || value.getType() == XmlRpcValue::TypeInt;
+    if (!fits || !(number >= min && number <= max)) {
+      std::ostringstream need;
+      need << (whole ? "a whole number in [" : "a number in [") << min << ", " << max << "]";
+      refuse(name, value, need.str());
+    }
+    node.display.*member = static_cast<Value>(number);
+  };
+}
+
 const std::map<std::string, Reader>& readers() {
   static const std::map<std::string, Reader> all{
       {"sensor", field(&NodeParameters::sensor, readSensor)},
       {"threads", integer(&NodeParameters::threads, 64)},
       {"queue_size", integer(&NodeParameters::queue_size, 10000)},
-      {"map_every", integer(&NodeParameters::map_every, 10000)},
       {"sync_slop", field(&NodeParameters::sync_slop, readSeconds)},
       {"output_dir", field(&NodeParameters::output_dir, readText)},
       {"player", field(&NodeParameters::player, readText)},
@@ -123,6 +151,10 @@ const std::map<std::string, Reader>& readers() {
       {"map_frame", field(&NodeParameters::map_frame, readText)},
       {"base_frame", field(&NodeParameters::base_frame, readText)},
       {"sensor_frame", field(&NodeParameters::sensor_frame, readText)},
+      {"map_every", display(&DisplayConfig::map_every)},
+      {"map_voxel", display(&DisplayConfig::map_voxel)},
+      {"box_opacity", display(&DisplayConfig::box_opacity)},
+      {"text_size", display(&DisplayConfig::text_size)},
   };
   return all;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "segdf/core/config.hpp"
 #include "segdf/core/quantile.hpp"
+#include "segdf/pipeline/jump_detector.hpp"
 #include "segdf/ros/drive_check.hpp"
 #include "segdf/ros/topics.hpp"
 
@@ -16,12 +15,9 @@ namespace {
 constexpr double kSeconds = 1e-9;  // a nanosecond
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
-// No road vehicle changes its velocity, or turns, nearly as fast.
-constexpr double kAcceleration = 20.0;  // m/s^2; brakes reach 10
-constexpr double kTurnRate = 180.0;     // degrees a second
-// What odometry may be off from scan to scan, however short the time.
-constexpr double kLeastJump = 0.3;  // metres
-constexpr double kLeastTurn = 5.0;  // degrees
+// No road vehicle turns nearly as fast.
+constexpr double kTurnRate = 180.0;  // degrees a second
+constexpr double kLeastTurn = 5.0;   // degrees that odometry may be off from scan to scan
 
 constexpr const char* kIncremental = "/lio_sam/mapping/odometry_incremental";
 
@@ -62,54 +58,47 @@ std::vector<Step> stepsOf(const BagSurvey& survey, const std::vector<RecordPair>
   return steps;
 }
 
-/// How far a step ends from where the velocity of its neighbour leads; 0 while that can be driving.
-/// Metres.
-double jumpBetween(const Step& step, const Step& neighbour) {
-  const Eigen::Vector3d velocity = neighbour.moved / neighbour.seconds;
-  const double off = (step.moved - velocity * step.seconds).norm();
-  const bool spun = step.turned > kLeastTurn + kTurnRate * step.seconds;
-  return spun || off > kLeastJump + kAcceleration * step.seconds * step.seconds ? off : 0.0;
-}
-
-/// A loop closure moves the pose at once, and the drive goes on as before: the step fits neither
-/// the one before nor the one after.
-double jumpAt(const std::vector<Step>& steps, std::size_t k) {
-  std::optional<double> jump;
-  if (k > 0) jump = jumpBetween(steps[k], steps[k - 1]);
-  if (k + 1 < steps.size()) {
-    const double to_next = jumpBetween(steps[k], steps[k + 1]);
-    jump = std::min(jump.value_or(to_next), to_next);
+/// The clouds before which the pipeline starts anew.
+std::vector<std::size_t> findJumps(const BagSurvey& survey) {
+  JumpDetector detector(InputConfig().max_jump);
+  std::vector<std::size_t> clouds;
+  for (const RecordPair& pair : survey.pairs) {
+    Scan scan;
+    scan.stamp_ns = survey.clouds[pair.cloud].stamp_ns;
+    scan.pose = poseOf(survey, pair);
+    if (detector.jumps(scan)) clouds.push_back(pair.cloud);
   }
-  return jump.value_or(0.0);
+  return clouds;
 }
 
-struct Jumps {
-  std::size_t count = 0;
-  std::size_t first_cloud = 0;
-  double farthest = 0.0;  ///< metres
-};
-
-Jumps findJumps(const std::vector<Step>& steps) {
-  Jumps jumps;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const double jump = jumpAt(steps, k);
-    if (jump <= 0.0) continue;
-    if (jumps.count++ == 0) jumps.first_cloud = steps[k].cloud;
-    jumps.farthest = std::max(jumps.farthest, jump);
-  }
-  return jumps;
-}
-
-void reportJumps(const BagSurvey& survey, const std::vector<Step>& steps, BagReport& report) {
-  const Jumps jumps = findJumps(steps);
-  if (jumps.count == 0) return;
+void reportJumps(const BagSurvey& survey, BagReport& report) {
+  const std::vector<std::size_t> jumps = findJumps(survey);
+  if (jumps.empty()) return;
   const bool other =
       survey.types.count(kIncremental) != 0 && survey.topics.odometry != kIncremental;
   report.warnings.push_back(
-      std::to_string(jumps.count) + " jumps of the pose, by up to " + fixed(jumps.farthest, 1) +
-      " m (the first before " + cloudAt(survey, jumps.first_cloud) +
-      "), as loop closures make them: things seen before and after one do not lie on each other" +
+      std::to_string(jumps.size()) + " jumps of the pose by more than input.max_jump = " +
+      fixed(InputConfig().max_jump, 1) + " m (the first before " + cloudAt(survey, jumps.front()) +
+      "), as loop closures make them: segdf starts its window anew there, and things seen before "
+      "and after one do not lie on each other" +
       (other ? std::string("; --odometry-topic ") + kIncremental + " has none" : ""));
+}
+
+/// The pipeline's jumps are ways only. A pose that is turned at once is a fault that it does not
+/// see.
+void reportSpins(const BagSurvey& survey, const std::vector<Step>& steps, BagReport& report) {
+  std::size_t spins = 0;
+  std::size_t first = 0;
+  for (const Step& step : steps) {
+    if (step.turned <= kLeastTurn + kTurnRate * step.seconds) continue;
+    if (spins++ == 0) first = step.cloud;
+  }
+  if (spins == 0) return;
+  report.warnings.push_back(std::to_string(spins) + " poses turn by more than " +
+                            fixed(kTurnRate, 0) + " degrees a second (the first before " +
+                            cloudAt(survey, first) +
+                            "): segdf does not start anew there, and scans before and after do "
+                            "not fit; name another odometry, or cut the bag there");
 }
 
 void reportWay(const std::vector<Step>& steps, BagReport& report) {
@@ -202,7 +191,8 @@ void checkPoses(const BagSurvey& survey, BagReport& report) {
   reportInvalid(survey, report);
   const std::vector<Step> steps = stepsOf(survey, withValidPose(survey));
   reportWay(steps, report);
-  reportJumps(survey, steps, report);
+  reportJumps(survey, report);
+  reportSpins(survey, steps, report);
 }
 
 }  // namespace segdf

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,9 @@ constexpr std::size_t kFewest = 10;   // scans; with fewer, hardly anything is s
 constexpr double kOtherClock = 60.0;  // seconds between stamp and receipt
 constexpr double kRounding = 1e-3;    // seconds; what floats and microseconds cut off is far less
 constexpr double kSteady = 0.1;       // spread of an offset that counts as constant
+// Farther from its pose than half a second, a car is somewhere else.
+constexpr std::array<double, 6> kSlops{0.01, 0.02, 0.05, 0.1, 0.2, 0.5};  // seconds
+constexpr double kNearlyAll = 0.95;
 
 /// For each cloud without pose, seconds from its stamp to that of the nearest pose.
 std::vector<double> offsets(const BagSurvey& survey) {
@@ -46,6 +50,33 @@ std::vector<double> offsets(const BagSurvey& survey) {
   return result;
 }
 
+/// Clouds that the launch file pairs with this sync_slop: as Synchroniser, which waits for a later
+/// pose.
+std::size_t pairsWith(double slop, const std::vector<double>& offsets, const BagSurvey& survey) {
+  std::int64_t last = 0;
+  for (const PoseRecord& pose : survey.poses) last = std::max(last, pose.stamp_ns);
+  const auto behind = std::count_if(survey.clouds.begin(), survey.clouds.end(),
+                                    [last](auto& cloud) { return cloud.stamp_ns > last; });
+  const auto near = std::count_if(offsets.begin(), offsets.end(),
+                                  [slop](double offset) { return std::abs(offset) <= slop; });
+  return survey.pairs.size() + static_cast<std::size_t>(std::max<std::ptrdiff_t>(near - behind, 0));
+}
+
+/// The least sync_slop with which nearly every cloud that can get a pose between two others does;
+/// "" if it helps none.
+std::string slopAdvice(const std::vector<double>& offsets, const BagSurvey& survey) {
+  const std::size_t most = pairsWith(kSlops.back(), offsets, survey);
+  if (most == survey.pairs.size()) return "";
+  for (const double slop : kSlops) {
+    const std::size_t pairs = pairsWith(slop, offsets, survey);
+    if (static_cast<double>(pairs) < kNearlyAll * static_cast<double>(most)) continue;
+    return "; live, sync_slop:=" + fixed(slop, 2) +
+           " interpolates poses: " + std::to_string(pairs) + " of " +
+           std::to_string(survey.clouds.size()) + " clouds then have one";
+  }
+  return "";
+}
+
 /// Why no pose may have the stamp of a cloud, and what helps.
 std::string remedy(const std::vector<double>& sorted) {
   const double largest = std::max(std::abs(sorted.front()), std::abs(sorted.back()));
@@ -64,7 +95,8 @@ void reportNoPair(const BagSurvey& survey, BagReport& report) {
       "no pose on " + survey.topics.odometry + " has the stamp of a cloud on " +
       survey.topics.cloud + ": the nearest is " + fixed(medianOf(sorted), 6) + " s off (median; " +
       fixed(sorted.front(), 6) + " to " + fixed(sorted.back(), 6) + "), so " + remedy(sorted) +
-      "; give each pose the stamp of its cloud, or name another topic with --odometry-topic");
+      "; give each pose the stamp of its cloud, or name another topic with --odometry-topic" +
+      slopAdvice(sorted, survey));
 }
 
 void reportUnpaired(const BagSurvey& survey, BagReport& report) {
@@ -76,10 +108,10 @@ void reportUnpaired(const BagSurvey& survey, BagReport& report) {
   if (unpaired == 0 || survey.topics.cloud == topics::kDeskewedCloud) return;
   std::size_t first = 0;
   while (first < survey.pairs.size() && survey.pairs[first].cloud == first) ++first;
-  report.warnings.push_back(std::to_string(unpaired) +
-                            " clouds have no pose of the same stamp on " + survey.topics.odometry +
-                            " and are left out (the first is " + cloudAt(survey, first) +
-                            "); record both topics from start to end");
+  report.warnings.push_back(
+      std::to_string(unpaired) + " clouds have no pose of the same stamp on " +
+      survey.topics.odometry + " and are left out (the first is " + cloudAt(survey, first) +
+      "); record both topics from start to end" + slopAdvice(offsets(survey), survey));
 }
 
 void reportDisorder(const BagSurvey& survey,

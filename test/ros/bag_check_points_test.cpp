@@ -2,12 +2,14 @@
 // Each finding of segdf_validate_bag on a bag that has just this one fault: poses, points.
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "segdf/pipeline/pipeline.hpp"
 #include "segdf/ros/topics.hpp"
 
 #include "ros/bag_check_fixture.hpp"
@@ -25,7 +27,40 @@ using test::StreetBag;
 TEST_F(BagCheck, LoopClosureIsAJump) {
   for (std::size_t k = 8; k < bag_.poses.size(); ++k) bag_.poses[k].pose.pose.position.y += 1.5;
   EXPECT_TRUE(contains(all(check().warnings),
-                       "1 jumps of the pose, by up to 1.5 m (the first before cloud 8 at 0.8 s)"));
+                       "1 jumps of the pose by more than input.max_jump = 1.0 m (the first before "
+                       "cloud 8 at 0.8 s)"));
+}
+
+TEST_F(BagCheck, JumpsAreThoseAtWhichThePipelineStartsAnew) {
+  // Steps on both sides of what is explained: max_jump of 1 m and 0.1 m of braking.
+  for (const double step : {0.5, 0.9, 1.05, 1.2, 3.0}) {
+    std::vector<Scan> scans = StreetBag::scans();
+    for (std::size_t k = 6; k < scans.size(); ++k) scans[k].pose.translation().y() += step;
+    Pipeline pipeline(Config{}, 1);
+    std::size_t restarts = 0;
+    const auto count = [&restarts](const std::vector<FrameResult>& frames) {
+      for (const FrameResult& frame : frames) restarts += frame.after_jump ? 1 : 0;
+    };
+    for (const Scan& scan : scans) count(pipeline.process(scan));
+    count(pipeline.flush());
+    bag_ = StreetBag(scans, false);
+    const std::string warnings = all(check().warnings);
+    EXPECT_EQ(contains(warnings, "jumps of the pose"), restarts > 0) << step << " m\n" << warnings;
+    EXPECT_EQ(restarts, step > 1.1 ? 1U : 0U) << step << " m";
+    std::filesystem::remove(file());
+  }
+}
+
+TEST_F(BagCheck, APoseThatTurnsAtOnceIsTold) {
+  std::vector<Scan> scans = StreetBag::scans();
+  for (std::size_t k = 6; k < scans.size(); ++k) {
+    scans[k].pose.rotate(Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ()));
+  }
+  bag_ = StreetBag(scans, false);
+  const std::string warnings = all(check().warnings);
+  EXPECT_TRUE(contains(warnings,
+                       "1 poses turn by more than 180 degrees a second (the first before cloud 6"));
+  EXPECT_FALSE(contains(warnings, "jumps of the pose"));
 }
 
 TEST_F(BagCheck, IncrementalOdometryIsNamedIfTheBagHasIt) {

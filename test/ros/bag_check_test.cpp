@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <topic_tools/shape_shifter.h>
 
+#include <tf2_msgs/TFMessage.h>
+
 #include "segdf/ros/topics.hpp"
 
 #include "ros/bag_check_fixture.hpp"
@@ -97,6 +99,40 @@ TEST_F(BagCheck, WithoutOdometryThereAreNoPoses) {
   expectError(check(), "has no topic '/lio_sam/mapping/odometry'");
 }
 
+TEST_F(BagCheck, WithoutOdometryTfMayKnowThePoses) {
+  bag_ = StreetBag::deskewed();
+  bag_.poses.clear();
+  bag_.write(file());
+  const auto add = [this](const std::string& topic, const char* parent, const char* child) {
+    rosbag::Bag more(file().string(), rosbag::bagmode::Append);
+    tf2_msgs::TFMessage tf;
+    tf.transforms.resize(1);
+    tf.transforms[0].header.frame_id = parent;
+    tf.transforms[0].child_frame_id = child;
+    more.write(topic, ros::Time(StreetBag::kStart), tf);
+  };
+  add("/tf_static", "vehicle", "base_link");
+  expectError(checkBag(file(), {}), "has no topic '/lio_sam/mapping/odometry'");  // nothing moves
+  add("/tf", "odom", "vehicle");
+  expectError(
+      checkBag(file(), {}),
+      "cloud_topic:=/lio_sam/deskew/cloud_deskewed use_tf:=true map_frame:=odom rviz:=true");
+}
+
+TEST_F(BagCheck, RegisteredCloudsNeedTheFrameThatMovesInTheirs) {
+  bag_.poses.clear();
+  bag_.write(file());
+  {
+    rosbag::Bag more(file().string(), rosbag::bagmode::Append);
+    tf2_msgs::TFMessage tf;
+    tf.transforms.resize(1);
+    tf.transforms[0].header.frame_id = "odom";
+    tf.transforms[0].child_frame_id = "velodyne";
+    more.write("/tf", ros::Time(StreetBag::kStart), tf);
+  }
+  expectError(checkBag(file(), {}), "use_tf:=true map_frame:=odom sensor_frame:=velodyne");
+}
+
 TEST_F(BagCheck, EmptyBagIsNamed) {
   bag_.poses.clear();
   bag_.clouds.clear();
@@ -143,7 +179,8 @@ TEST_F(BagCheck, CloudsWithoutPoseAreCounted) {
   bag_.poses.erase(bag_.poses.begin() + 4);
   expectWarning(check(),
                 "1 clouds have no pose of the same stamp on /lio_sam/mapping/odometry and "
-                "are left out (the first is cloud 4 at 0.4 s)");
+                "are left out (the first is cloud 4 at 0.4 s); record both topics from start to "
+                "end; live, sync_slop:=0.10 interpolates poses: 12 of 12 clouds then have one");
 }
 
 TEST_F(BagCheck, LioSamMapsFewerSweepsThanItDeskews) {
@@ -166,6 +203,15 @@ TEST_F(BagCheck, ConstantOffsetIsTold) {
   const BagReport report = check();
   expectError(report, "0.040000 s off (median; 0.040000 to 0.040000)");
   EXPECT_TRUE(contains(report.errors.front(), "a constant offset"));
+  EXPECT_TRUE(contains(report.errors.front(),
+                       "; live, sync_slop:=0.05 interpolates poses: 12 of 12 clouds"));
+}
+
+TEST_F(BagCheck, CloudsAfterTheLastPoseAreNotPromisedOne) {
+  for (nav_msgs::Odometry& pose : bag_.poses) pose.header.stamp -= ros::Duration(0.04);
+  const BagReport report = check();
+  ASSERT_EQ(report.errors.size(), 1U);
+  EXPECT_TRUE(contains(report.errors.front(), "sync_slop:=0.05 interpolates poses: 11 of 12"));
 }
 
 TEST_F(BagCheck, OdometryOfItsOwnRateIsTold) {
@@ -177,7 +223,9 @@ TEST_F(BagCheck, OdometryOfItsOwnRateIsTold) {
 
 TEST_F(BagCheck, AnotherClockIsTold) {
   for (nav_msgs::Odometry& pose : bag_.poses) pose.header.stamp += ros::Duration(1.0e9);
-  expectError(check(), "different clocks");
+  const BagReport report = check();
+  expectError(report, "different clocks");
+  EXPECT_FALSE(contains(report.errors.front(), "sync_slop"));
 }
 
 TEST_F(BagCheck, TimeThatGoesBack) {

@@ -103,7 +103,7 @@ TEST(Markers, OnlyWhatMovesAndWasFollowedGetsAnArrow) {
   lost.velocity.setZero();
   frame.instances = {parked, mover, lost};
   std::vector<Marker> arrows;
-  for (const Marker& marker : toMarkers(frame, "odom").markers) {
+  for (const Marker& marker : toMarkers(frame, "odom", DisplayConfig::__getDefault__()).markers) {
     if (marker.type == Marker::ARROW && marker.action == Marker::ADD) arrows.push_back(marker);
   }
   ASSERT_EQ(arrows.size(), 1U);
@@ -175,7 +175,7 @@ TEST(Markers, BoxAndTextForEachInstanceAfterDeleteAll) {
   car.size = {4.0, 2.0, 0.0};
   car.yaw = 0.5;
   frame.instances = {car};
-  const auto markers = toMarkers(frame, "odom").markers;
+  const auto markers = toMarkers(frame, "odom", DisplayConfig::__getDefault__()).markers;
   ASSERT_EQ(markers.size(), 3U);
   EXPECT_EQ(markers[0].action, Marker::DELETEALL);
   EXPECT_EQ(markers[1].type, Marker::CUBE);
@@ -185,6 +185,24 @@ TEST(Markers, BoxAndTextForEachInstanceAfterDeleteAll) {
   EXPECT_NEAR(markers[1].pose.orientation.z, std::sin(0.25), 1e-12);
   EXPECT_EQ(markers[2].text, "12 high_mobility");
   for (const Marker& marker : markers) EXPECT_EQ(marker.header.frame_id, "odom");
+}
+
+TEST(Markers, DisplayOptionsGiveSizeAndOpacityOrNone) {
+  FrameResult frame = sampleFrame();
+  frame.instances.resize(1);
+  DisplayConfig display = DisplayConfig::__getDefault__();
+  display.text_size = 2.5;
+  display.box_opacity = 0.5;
+  const auto both = toMarkers(frame, "odom", display).markers;
+  ASSERT_EQ(both.size(), 3U);
+  EXPECT_EQ(both[1].color.a, 0.5F);
+  EXPECT_EQ(both[2].scale.z, 2.5);
+  display.text_size = 0.0;
+  const auto box = toMarkers(frame, "odom", display).markers;
+  ASSERT_EQ(box.size(), 2U);
+  EXPECT_EQ(box[1].type, Marker::CUBE);
+  display.box_opacity = 0.0;
+  EXPECT_EQ(toMarkers(frame, "odom", display).markers.size(), 1U);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(Parameters, NodeParametersAreSplitFromTheConfiguration) {
   EXPECT_EQ(parameters.node.sensor, "vlp16");
   EXPECT_EQ(parameters.node.threads, 3);
   EXPECT_EQ(parameters.node.queue_size, 20);
-  EXPECT_EQ(parameters.node.map_every, 5);
+  EXPECT_EQ(parameters.node.display.map_every, 5);
   const YAML::Node config = YAML::Load(parameters.config_yaml);
   EXPECT_EQ(config.size(), 1U);
   EXPECT_EQ(config["ground"]["th_seed"].as<double>(), 0.25);
@@ -105,6 +105,22 @@ TEST(Parameters, WrongTypesAreNamed) {
   XmlRpcValue text;
   text["output_dir"] = 7;
   EXPECT_EQ(refusal(text), "parameter output_dir = 7 must be text");
+}
+
+TEST(Parameters, DisplayOptionsHaveTheBoundsOfTheirCfgFile) {
+  XmlRpcValue tree;
+  tree["text_size"] = 2;
+  tree["map_voxel"] = 0.5;
+  const DisplayConfig display = splitParameters(tree).node.display;
+  EXPECT_EQ(display.text_size, 2.0);
+  EXPECT_EQ(display.map_voxel, 0.5);
+  EXPECT_EQ(display.box_opacity, DisplayConfig::__getDefault__().box_opacity);
+  XmlRpcValue often;
+  often["map_every"] = 0.5;
+  EXPECT_EQ(refusal(often), "parameter map_every = 0.5 must be a whole number in [1, 10000]");
+  XmlRpcValue opaque;
+  opaque["box_opacity"] = 1.5;
+  EXPECT_EQ(refusal(opaque), "parameter box_opacity = 1.5 must be a number in [0, 1]");
 }
 
 TEST(Parameters, FramesThatContradictEachOtherAreRefused) {

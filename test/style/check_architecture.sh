@@ -28,6 +28,6 @@ check simulation 'core simulation' "$ros|pcl/|nlohmann/|png|cairo|CLI/"  # yaml-
 check io 'core segmentation mapping io' "$ros|embree3/|CLI/"
 # It turns scores into files for people, so it needs both the scores and the writers; they need not know it.
 check report 'core evaluation io report' "$ros|pcl/|yaml-cpp/|png|cairo|embree3/|CLI/"
-check ros 'core segmentation dynamics mapping io ros' 'embree3/|CLI/'
+check ros 'core segmentation dynamics mapping pipeline io ros' 'embree3/|CLI/'
 check nodelets 'core segmentation mapping pipeline io ros nodelets' 'embree3/|CLI/'
 exit $status

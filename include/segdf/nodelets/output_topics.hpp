@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <std_msgs/Header.h>
+
+#include <segdf/DisplayConfig.h>
 
 #include "segdf/core/frame_result.hpp"
 #include "segdf/mapping/map_point.hpp"
@@ -24,14 +28,23 @@ class OutputTopics {
   /// @param on_map_viewer called, in a ROS thread, when somebody subscribes to the map
   OutputTopics(ros::NodeHandle& node, int queue_size, const std::function<void()>& on_map_viewer);
 
+  /// How things are shown from now on. From any thread.
+  void show(const DisplayConfig& display);
+
   /// @param frame_id of the map frame
   /// @param counts of everything until now
   void publish(const FrameResult& frame, const std::string& frame_id, const Counts& counts);
 
   bool mapHasViewers() const { return static_map_.getNumSubscribers() > 0; }
+  /// Somebody looks at the map, and this frame is one of every map_every. @param frames until now
+  bool isMapDue(std::size_t frames) const;
   void publishMap(const std::vector<MapPoint>& points, const std_msgs::Header& header);
 
  private:
+  DisplayConfig display() const;
+
+  mutable std::mutex display_mutex_;
+  DisplayConfig display_ = DisplayConfig::__getDefault__();
   ros::Publisher static_cloud_;
   ros::Publisher dynamic_cloud_;
   ros::Publisher labelled_cloud_;

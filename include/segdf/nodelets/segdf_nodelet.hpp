@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 
+#include <dynamic_reconfigure/server.h>
 #include <std_srvs/Trigger.h>
 
 #include <nodelet/nodelet.h>
@@ -13,6 +14,7 @@
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <segdf/DisplayConfig.h>
 #include <segdf/Reset.h>
 #include <segdf/SaveMap.h>
 
@@ -27,7 +29,8 @@
 namespace segdf {
 
 /// The filter live. In: see Intake. Out, in the odometry's frame: see OutputTopics. Services
-/// `~flush`, `~reset` and `~save_map`. What each is for: docs/ros.md.
+/// `~flush`, `~reset` and `~save_map`; what is shown, and how, changes by dynamic_reconfigure. What
+/// each is for: docs/ros.md.
 ///
 /// ROS threads only pair messages and queue the pairs; one worker filters them in order, so that
 /// the labels are those of the offline runner. What does not fit in the queue is counted and told.
@@ -47,6 +50,7 @@ class SegdfNodelet : public nodelet::Nodelet {
   std::unique_ptr<SensorMount> makeMount(const NodeParameters& node) const;
   Intake::Handlers intakeHandlers();
   void advertiseServices();
+  void offerDisplayOptions();
 
   // In ROS threads.
   bool onFlush(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
@@ -66,6 +70,7 @@ class SegdfNodelet : public nodelet::Nodelet {
   std::unique_ptr<Worker> worker_;
   std::unique_ptr<Intake> intake_;
   std::unique_ptr<Diagnostics> diagnostics_;
+  std::unique_ptr<dynamic_reconfigure::Server<DisplayConfig>> display_server_;
   ros::ServiceServer flush_service_;
   ros::ServiceServer reset_service_;
   ros::ServiceServer save_service_;

@@ -25,7 +25,10 @@ constexpr std::size_t kSampledPlaces = 10;
 BagReport checkBag(const std::filesystem::path& bag, const BagCheckOptions& options);
 
 /// Command lines that run segdf on the bag, to be pasted into a shell.
+/// @param more arguments of the launch file
 std::string offlineCommand(const std::filesystem::path& bag, const BagTopics& topics);
-std::string launchCommand(const std::filesystem::path& bag, const BagTopics& topics);
+std::string launchCommand(const std::filesystem::path& bag,
+                          const BagTopics& topics,
+                          const std::string& more = "");
 
 }  // namespace segdf

@@ -49,6 +49,11 @@ struct BagSurvey {
   std::string break_off;          ///< why the bag cannot be read to its end, empty if it can
 };
 
+/// The first half of findDrive(): the topic of the clouds.
+std::string findCloudTopic(const TopicTypes& types,
+                           const std::string& wanted,
+                           const std::string& where);
+
 /// Which topics hold the drive: as BagSource chooses them, but when a bag has none of LIO-SAM's and
 /// just one of the type that is needed, that one.
 /// @param where begins the messages. @throws IoError as chooseCloudTopic()

@@ -5,6 +5,8 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <segdf/DisplayConfig.h>
+
 #include "segdf/core/frame_result.hpp"
 
 namespace segdf {
@@ -13,6 +15,9 @@ namespace segdf {
 /// of the frame, in the map frame: red if dynamic, green if static. A mover that was followed gets
 /// an arrow ("motion/<class>") as long as its way in one second. The namespaces let rviz hide a
 /// class. The first marker deletes those of the frame before.
-visualization_msgs::MarkerArray toMarkers(const FrameResult& frame, const std::string& frame_id);
+/// @param display box_opacity and text_size (metres); at 0 there are no boxes or no texts
+visualization_msgs::MarkerArray toMarkers(const FrameResult& frame,
+                                          const std::string& frame_id,
+                                          const DisplayConfig& display);
 
 }  // namespace segdf

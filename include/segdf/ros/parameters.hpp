@@ -5,6 +5,8 @@
 
 #include <XmlRpcValue.h>
 
+#include <segdf/DisplayConfig.h>
+
 #include "segdf/core/config.hpp"
 #include "segdf/ros/topics.hpp"
 
@@ -17,7 +19,6 @@ struct NodeParameters {
   std::string sensor = kAutoSensor;  ///< file in cfg/sensors, or recognised on the first scan
   int threads = 2;         ///< worker threads of the pipeline, 1 to 64; no influence on results
   int queue_size = 100;    ///< scans that may wait for the filter, 1 to 10000
-  int map_every = 10;      ///< frames between two messages on ~static_map, 1 to 10000
   double sync_slop = 0.0;  ///< seconds, 0 to 1: see Synchroniser
   std::string output_dir;  ///< where drives are written as segdf_offline does; empty: nowhere
   std::string player;      ///< node of `rosbag play` that is held while the queue is full
@@ -25,6 +26,7 @@ struct NodeParameters {
   std::string map_frame = topics::kOdometryFrame;  ///< use_tf: frame of the map
   std::string base_frame;    ///< what odometry gives the pose of; empty: the sensor
   std::string sensor_frame;  ///< empty: the cloud's own, or base_frame if that is the map's
+  DisplayConfig display = DisplayConfig::__getDefault__();  ///< cfg/Display.cfg: with its bounds
 };
 
 /// The private parameters, taken apart.

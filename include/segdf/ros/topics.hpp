@@ -13,6 +13,7 @@ constexpr const char* kFeatureCloud = "/lio_sam/mapping/cloud_registered";
 /// Pose of the sensor, with the stamp of its cloud.
 constexpr const char* kOdometry = "/lio_sam/mapping/odometry";
 constexpr const char* kTf = "/tf";
+constexpr const char* kTfStatic = "/tf_static";
 
 constexpr const char* kCloudType = "sensor_msgs/PointCloud2";
 constexpr const char* kOdometryType = "nav_msgs/Odometry";
