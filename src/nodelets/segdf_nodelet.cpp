@@ -52,7 +52,7 @@ SegdfNodelet::~SegdfNodelet() {
   display_server_.reset();
   diagnostics_.reset();
   intake_.reset();
-  worker_.reset();
+  if (worker_) worker_->stop();
   if (!stage_ || ledger_.counts().processed == 0) return;
   try {
     NODELET_INFO_STREAM("ends: " << stage_->flush());
@@ -76,12 +76,11 @@ void SegdfNodelet::start() {
   const std::string cloud_topic = getNodeHandle().resolveName("cloud");
   refuseFeatureCloud(cloud_topic);
   startTf(parameters.node);
-  outputs_ = std::make_unique<OutputTopics>(node, parameters.node.queue_size, [this] {
-    worker_->tryPost([this] { stage_->publishMap(); });
-  });
+  outputs_ = std::make_unique<OutputTopics>(node, parameters.node.queue_size);
   stage_ = std::make_unique<FilterStage>(parameters, getName(), cloud_topic,
                                          makeMount(parameters.node), ledger_, *outputs_);
   worker_ = std::make_unique<Worker>(static_cast<std::size_t>(parameters.node.queue_size));
+  outputs_->offerMap(node, [this] { worker_->tryPost([this] { stage_->publishMap(); }); });
   intake_ = std::make_unique<Intake>(getNodeHandle(), parameters.node, getName(), ledger_,
                                      intakeHandlers(), tf_buffer_.get());
   diagnostics_ = std::make_unique<Diagnostics>(getNodeHandle(), node, getName(), ledger_);

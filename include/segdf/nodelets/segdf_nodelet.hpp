@@ -62,12 +62,13 @@ class SegdfNodelet : public nodelet::Nodelet {
   Ledger ledger_;
   std::mutex save_mutex_;  ///< one save at a time
 
-  // Goes from the end: nothing comes in while the worker stops, and it stops before what it uses.
+  // Goes from the end: nothing comes in while the worker stops. It is there as long as the outputs,
+  // which ask it for the map when somebody wants to see it, but stops before them.
   std::unique_ptr<tf2_ros::Buffer> tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
+  std::unique_ptr<Worker> worker_;
   std::unique_ptr<OutputTopics> outputs_;
   std::unique_ptr<FilterStage> stage_;
-  std::unique_ptr<Worker> worker_;
   std::unique_ptr<Intake> intake_;
   std::unique_ptr<Diagnostics> diagnostics_;
   std::unique_ptr<dynamic_reconfigure::Server<DisplayConfig>> display_server_;
