@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <std_srvs/Trigger.h>
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
@@ -95,6 +95,12 @@ class NodeClient {
     EXPECT_TRUE(ros::service::call("/segdf/flush", trigger));
     EXPECT_TRUE(trigger.response.success) << trigger.response.message;
     return trigger.response.message;
+  }
+
+  /// flush(), again and again until so many frames have been published.
+  static bool flushUntil(std::size_t frames) {
+    return spinUntil(
+        [&] { return flush().rfind(std::to_string(frames) + " frames published", 0) == 0; });
   }
 
   std::vector<Labels> frames;

@@ -97,10 +97,8 @@ TEST_F(NodeletDisplay, TextsAndBoxesChange) {
 }
 
 TEST_F(NodeletDisplay, MapVoxelThinsWhatIsShownAndNotWhatIsSaved) {
-  const std::string frames =
-      std::to_string(test::labelFiles(ros::param::param<std::string>("~labels", "")).size());
-  ASSERT_TRUE(test::spinUntil(
-      [&frames] { return test::NodeClient::flush().rfind(frames + " frames", 0) == 0; }));
+  const auto frames = test::labelFiles(ros::param::param<std::string>("~labels", "")).size();
+  ASSERT_TRUE(test::NodeClient::flushUntil(frames));
   std::size_t points = 0;
   const ros::Subscriber map = node_.subscribe<sensor_msgs::PointCloud2>(
       "/segdf/static_map", 1,
