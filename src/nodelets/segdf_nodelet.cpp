@@ -8,6 +8,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <ros/param.h>
 
+#include "segdf/core/stopwatch.hpp"
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/io/map_export.hpp"
 #include "segdf/io/scan_source.hpp"
@@ -102,7 +103,9 @@ std::unique_ptr<SensorMount> SegdfNodelet::makeMount(const NodeParameters& node)
 Intake::Handlers SegdfNodelet::intakeHandlers() {
   return {[this](const sensor_msgs::PointCloud2ConstPtr& cloud,
                  const nav_msgs::OdometryConstPtr& odometry) {
-            return worker_->tryPost([this, cloud, odometry] { stage_->handle(cloud, *odometry); });
+            return worker_->tryPost([this, cloud, odometry, in_queue = Stopwatch()] {
+              stage_->handle(cloud, *odometry, in_queue.seconds());
+            });
           },
           [this] {
             return worker_->tryPost(
