@@ -8,8 +8,10 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <std_srvs/SetBool.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
+#include <ros/callback_queue.h>
 #include <ros/network.h>
 #include <ros/ros.h>
 
@@ -85,6 +87,24 @@ TEST_F(NodeletLifecycle, LoadedAndUnloadedOverAndOverItKeepsNothing) {
   RecordProperty("before_mb", std::to_string(before));
   RecordProperty("after_mb", std::to_string(after));
   EXPECT_LT(after - before, kMegabytes) << before << " MB before, " << after << " MB after";
+}
+
+TEST_F(NodeletLifecycle, APlayerThatDoesNotAnswerKeepsNothingWaiting) {
+  // As `rosbag play --keep-alive` at a high rate, once it has come to the end of the bag.
+  ros::CallbackQueue nobody_calls_it;
+  ros::NodeHandle deaf("/deaf");
+  deaf.setCallbackQueue(&nobody_calls_it);
+  const ros::ServiceServer service = deaf.advertiseService(
+      "pause_playback",
+      +[](std_srvs::SetBoolRequest&, std_srvs::SetBoolResponse&) { return true; });
+  ros::param::set("/segdf/player", "/deaf");
+  ros::param::set("/segdf/queue_size", 1);  // with one scan that waits the player is to be held
+  const test::NodeClient client;
+  test::loadNode();
+  scans_.publish(kScans);
+  EXPECT_TRUE(client.waitUntilReceived(kScans));
+  test::unloadNode();
+  ros::param::del("/segdf");
 }
 
 TEST_F(NodeletLifecycle, KilledWhileItSavesItLeavesAWholeMapOrNone) {
