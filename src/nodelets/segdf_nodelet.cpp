@@ -5,6 +5,7 @@
 #include <future>
 #include <utility>
 
+#include <nodelet/detail/callback_queue.h>
 #include <pluginlib/class_list_macros.hpp>
 #include <ros/param.h>
 
@@ -71,7 +72,17 @@ void SegdfNodelet::onInit() {
   }
 }
 
+void SegdfNodelet::keepCallbackQueues() {
+  using nodelet::detail::CallbackQueue;
+  for (ros::CallbackQueueInterface* queue : {&getSTCallbackQueue(), &getMTCallbackQueue()}) {
+    if (auto* const managed = dynamic_cast<CallbackQueue*>(queue)) {
+      callback_queues_.push_back(managed->shared_from_this());
+    }
+  }
+}
+
 void SegdfNodelet::start() {
+  keepCallbackQueues();
   ros::NodeHandle& node = getPrivateNodeHandle();
   const PrivateParameters parameters = readParameters(node.getNamespace());
   const std::string cloud_topic = getNodeHandle().resolveName("cloud");
