@@ -76,7 +76,7 @@ void SegdfNodelet::keepCallbackQueues() {
   using nodelet::detail::CallbackQueue;
   for (ros::CallbackQueueInterface* queue : {&getSTCallbackQueue(), &getMTCallbackQueue()}) {
     if (auto* const managed = dynamic_cast<CallbackQueue*>(queue)) {
-      callback_queues_.push_back(managed->shared_from_this());
+      callback_queues_.emplace_back(managed->shared_from_this());
     }
   }
 }
