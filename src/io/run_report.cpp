@@ -47,8 +47,6 @@ Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Js
 
 }  // namespace
 
-RunReport::RunReport() : start_(std::chrono::steady_clock::now()) {}
-
 void RunReport::add(const FrameResult& frame) {
   const auto status = static_cast<std::size_t>(frame.status);
   if (by_status_[status]++ == 0) first_of_status_[status] = frame.index;
@@ -71,9 +69,7 @@ void RunReport::setInstances(std::size_t instances, std::size_t removed) {
   removed_instances_ = removed;
 }
 
-double RunReport::wallSeconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+double RunReport::wallSeconds() const { return watch_.seconds(); }
 
 void RunReport::write(const std::filesystem::path& file) const {
   const Usage used = usage();

@@ -5,6 +5,7 @@
 
 #include <ros/console.h>
 
+#include "segdf/core/stopwatch.hpp"
 #include "segdf/ros/conversions.hpp"
 
 namespace segdf {
@@ -34,7 +35,9 @@ FilterStage::FilterStage(const PrivateParameters& parameters,
 }
 
 void FilterStage::handle(const sensor_msgs::PointCloud2ConstPtr& cloud,
-                         const nav_msgs::Odometry& odometry) {
+                         const nav_msgs::Odometry& odometry,
+                         double waited) {
+  const Stopwatch watch;
   try {
     if (mount_) {
       const SensorMount::Seen seen = mount_->apply(cloud, odometry);
@@ -46,6 +49,10 @@ void FilterStage::handle(const sensor_msgs::PointCloud2ConstPtr& cloud,
     ledger_.change([](Counts& counts) { ++counts.unusable; });
     tell("unusable scan", error.what());
   }
+  ledger_.change([taken = watch.seconds(), waited](Counts& counts) {
+    counts.filtering.add(taken);
+    counts.waiting.add(waited);
+  });
 }
 
 void FilterStage::take(Scan scan, const std_msgs::Header& header) {

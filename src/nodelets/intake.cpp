@@ -190,7 +190,7 @@ void Intake::warnOfTheTail() const {
   if (alone * counts.clouds <= counts.poses) return;  // no more than come with one cloud
   ROS_WARN_NAMED(name_,
                  "%zu poses are later than the last cloud: rosbag play ends without sending all it "
-                 "has read. Play slower",
+                 "has read. Play slower, or with player_args:=--keep-alive and call ~flush",
                  alone);
 }
 

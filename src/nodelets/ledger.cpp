@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/nodelets/ledger.hpp"
 
+#include <iomanip>
 #include <sstream>
 
 namespace segdf {
+namespace {
+
+std::string toText(const Durations& durations) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << durations.mean() << " s on average, "
+       << durations.greatest() << " s at most";
+  return text.str();
+}
+
+}  // namespace
 
 std::string toText(const Counts& counts) {
   std::ostringstream text;
@@ -11,6 +22,10 @@ std::string toText(const Counts& counts) {
        << counts.scansWaiting() << " waiting for the filter, " << counts.dropped << " dropped, "
        << counts.unusable << " unusable, " << counts.unmatched << " without pose, "
        << counts.clouds_waiting << " waiting for a pose";
+  if (!counts.filtering.empty() && !counts.waiting.empty()) {
+    text << "; a scan waited " << toText(counts.waiting) << ", and took "
+         << toText(counts.filtering);
+  }
   return text.str();
 }
 

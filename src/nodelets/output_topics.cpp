@@ -34,9 +34,7 @@ void publishCloud(const ros::Publisher& publisher,
 
 }  // namespace
 
-OutputTopics::OutputTopics(ros::NodeHandle& node,
-                           int queue_size,
-                           const std::function<void()>& on_map_viewer) {
+OutputTopics::OutputTopics(ros::NodeHandle& node, int queue_size) {
   const auto size = static_cast<std::uint32_t>(queue_size);
   static_cloud_ = node.advertise<PointCloud2>("static_cloud", size);
   dynamic_cloud_ = node.advertise<PointCloud2>("dynamic_cloud", size);
@@ -44,9 +42,10 @@ OutputTopics::OutputTopics(ros::NodeHandle& node,
   instances_ = node.advertise<LabelledInstanceArray>("instances", size);
   frame_report_ = node.advertise<FrameReport>("frame_report", size);
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", size);
-  const auto connected = [on_map_viewer](const ros::SingleSubscriberPublisher&) {
-    on_map_viewer();
-  };
+}
+
+void OutputTopics::offerMap(ros::NodeHandle& node, const std::function<void()>& on_viewer) {
+  const auto connected = [on_viewer](const ros::SingleSubscriberPublisher&) { on_viewer(); };
   static_map_ = node.advertise<PointCloud2>(
       "static_map", 1, connected, ros::SubscriberStatusCallback(), ros::VoidConstPtr(), true);
 }

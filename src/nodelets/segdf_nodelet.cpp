@@ -5,9 +5,11 @@
 #include <future>
 #include <utility>
 
+#include <nodelet/detail/callback_queue.h>
 #include <pluginlib/class_list_macros.hpp>
 #include <ros/param.h>
 
+#include "segdf/core/stopwatch.hpp"
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/io/map_export.hpp"
 #include "segdf/io/scan_source.hpp"
@@ -52,7 +54,7 @@ SegdfNodelet::~SegdfNodelet() {
   display_server_.reset();
   diagnostics_.reset();
   intake_.reset();
-  worker_.reset();
+  if (worker_) worker_->stop();
   if (!stage_ || ledger_.counts().processed == 0) return;
   try {
     NODELET_INFO_STREAM("ends: " << stage_->flush());
@@ -70,18 +72,27 @@ void SegdfNodelet::onInit() {
   }
 }
 
+void SegdfNodelet::keepCallbackQueues() {
+  using nodelet::detail::CallbackQueue;
+  for (ros::CallbackQueueInterface* queue : {&getSTCallbackQueue(), &getMTCallbackQueue()}) {
+    if (auto* const managed = dynamic_cast<CallbackQueue*>(queue)) {
+      callback_queues_.emplace_back(managed->shared_from_this());
+    }
+  }
+}
+
 void SegdfNodelet::start() {
+  keepCallbackQueues();
   ros::NodeHandle& node = getPrivateNodeHandle();
   const PrivateParameters parameters = readParameters(node.getNamespace());
   const std::string cloud_topic = getNodeHandle().resolveName("cloud");
   refuseFeatureCloud(cloud_topic);
   startTf(parameters.node);
-  outputs_ = std::make_unique<OutputTopics>(node, parameters.node.queue_size, [this] {
-    worker_->tryPost([this] { stage_->publishMap(); });
-  });
+  outputs_ = std::make_unique<OutputTopics>(node, parameters.node.queue_size);
   stage_ = std::make_unique<FilterStage>(parameters, getName(), cloud_topic,
                                          makeMount(parameters.node), ledger_, *outputs_);
   worker_ = std::make_unique<Worker>(static_cast<std::size_t>(parameters.node.queue_size));
+  outputs_->offerMap(node, [this] { worker_->tryPost([this] { stage_->publishMap(); }); });
   intake_ = std::make_unique<Intake>(getNodeHandle(), parameters.node, getName(), ledger_,
                                      intakeHandlers(), tf_buffer_.get());
   diagnostics_ = std::make_unique<Diagnostics>(getNodeHandle(), node, getName(), ledger_);
@@ -103,7 +114,9 @@ std::unique_ptr<SensorMount> SegdfNodelet::makeMount(const NodeParameters& node)
 Intake::Handlers SegdfNodelet::intakeHandlers() {
   return {[this](const sensor_msgs::PointCloud2ConstPtr& cloud,
                  const nav_msgs::OdometryConstPtr& odometry) {
-            return worker_->tryPost([this, cloud, odometry] { stage_->handle(cloud, *odometry); });
+            return worker_->tryPost([this, cloud, odometry, in_queue = Stopwatch()] {
+              stage_->handle(cloud, *odometry, in_queue.seconds());
+            });
           },
           [this] {
             return worker_->tryPost(

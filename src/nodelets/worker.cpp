@@ -7,17 +7,19 @@ namespace segdf {
 
 Worker::Worker(std::size_t capacity) : jobs_(capacity), thread_([this] { run(); }) {}
 
-Worker::~Worker() {
-  stopping_ = true;
-  jobs_.close();
-  thread_.join();
-}
+Worker::~Worker() { stop(); }
 
 bool Worker::tryPost(Job job) {
   return jobs_.try_push_back(std::move(job)) == boost::queue_op_status::success;
 }
 
 void Worker::post(Job job) { jobs_.wait_push_back(std::move(job)); }
+
+void Worker::stop() {
+  stopping_ = true;
+  jobs_.close();
+  if (thread_.joinable()) thread_.join();
+}
 
 void Worker::run() {
   Job job;

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Sourced by the tests of launch files: DEVEL_DIR LAUNCH_DIR FILE ARGUMENT... become $file and the arguments, and
-# ROS finds this build.
+# Sourced by the tests that start nodes: DEVEL_DIR FOLDER FILE ARGUMENT... become $file and the arguments, and ROS
+# finds this build.
 devel=$1
 file=$2/$3
 shift 3

@@ -97,6 +97,12 @@ class NodeClient {
     return trigger.response.message;
   }
 
+  /// flush(), again and again until so many frames have been published.
+  static bool flushUntil(std::size_t frames) {
+    return spinUntil(
+        [&] { return flush().rfind(std::to_string(frames) + " frames published", 0) == 0; });
+  }
+
   std::vector<Labels> frames;
   std::vector<FrameReport> reports;
 

@@ -50,6 +50,11 @@ void ignore(const sensor_msgs::PointCloud2ConstPtr& /*cloud*/) {}
 
 class NodeletDisplay : public ::testing::Test {
  protected:
+  /// In the bag.
+  static std::size_t scans() {
+    return test::labelFiles(ros::param::param<std::string>("~labels", "")).size();
+  }
+
   ros::NodeHandle node_;
 };
 
@@ -91,16 +96,18 @@ TEST_F(NodeletDisplay, TextsAndBoxesChange) {
           }
         }
       });
+  const test::NodeClient client;
+  ASSERT_TRUE(
+      test::spinUntil([&] { return markers.getNumPublishers() > 0 && client.isConnected(); }));
   const ros::Subscriber truth =
       node_.subscribe<sensor_msgs::PointCloud2>(topics::kTruthLabels, test::kQueueSize, ignore);
+  ASSERT_TRUE(client.waitUntilReceived(scans()));
+  test::NodeClient::flush();
   EXPECT_TRUE(test::spinUntil([&] { return texts > 0 && boxes > 0; }));
 }
 
 TEST_F(NodeletDisplay, MapVoxelThinsWhatIsShownAndNotWhatIsSaved) {
-  const std::string frames =
-      std::to_string(test::labelFiles(ros::param::param<std::string>("~labels", "")).size());
-  ASSERT_TRUE(test::spinUntil(
-      [&frames] { return test::NodeClient::flush().rfind(frames + " frames", 0) == 0; }));
+  ASSERT_TRUE(test::NodeClient::flushUntil(scans()));
   std::size_t points = 0;
   const ros::Subscriber map = node_.subscribe<sensor_msgs::PointCloud2>(
       "/segdf/static_map", 1,

@@ -32,7 +32,8 @@ class NodeletDrive : public ::testing::Test {
     EXPECT_TRUE(test::spinUntil([&] { return scans_played_ >= scans; })) << "the bag does not play";
     EXPECT_TRUE(client_.waitUntilReceived(scans)) << "clouds are lost on the way";
     test::NodeClient::flush();
-    test::spinUntil([&] { return client_.frames.size() >= scans; });
+    test::spinUntil(
+        [&] { return client_.frames.size() >= scans && client_.reports.size() >= scans; });
     test::spinUntil([] { return false; }, kSettled);  // nothing may come twice
     ASSERT_FALSE(client_.reports.empty());
   }

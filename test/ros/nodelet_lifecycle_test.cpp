@@ -8,22 +8,20 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <std_srvs/SetBool.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
-#include <nav_msgs/Odometry.h>
-#include <nodelet/NodeletLoad.h>
-#include <nodelet/NodeletUnload.h>
+#include <ros/callback_queue.h>
 #include <ros/network.h>
 #include <ros/ros.h>
-#include <sensor_msgs/PointCloud2.h>
 
 #include <segdf/SaveMap.h>
 
 #include "segdf/io/pcd_stream.hpp"
-#include "segdf/ros/lio_sam_messages.hpp"
 
+#include "ros/manager.hpp"
 #include "ros/node_client.hpp"
-#include "ros/sample_scan.hpp"
+#include "ros/scan_publisher.hpp"
 #include "support/temp_folder.hpp"
 
 namespace segdf {
@@ -61,43 +59,13 @@ double residentMegabytes(pid_t process) {
 
 class NodeletLifecycle : public ::testing::Test {
  protected:
-  void load() {
-    ASSERT_TRUE(ros::service::waitForService("/manager/load_nodelet", ros::Duration(30)));
-    nodelet::NodeletLoad call;
-    call.request.name = "/segdf";
-    call.request.type = "segdf/SegdfNodelet";
-    ASSERT_TRUE(test::spinUntil([&call] {
-      return ros::service::call("/manager/load_nodelet", call) && call.response.success;
-    }));
+  /// Some scans, and their decision.
+  bool drive() {
+    scans_.publish(kScans);
+    return test::NodeClient::flushUntil(kScans);
   }
 
-  void unload() {
-    nodelet::NodeletUnload call;
-    call.request.name = "/segdf";
-    ASSERT_TRUE(ros::service::call("/manager/unload_nodelet", call));
-    EXPECT_TRUE(call.response.success);
-  }
-
-  /// Some scans, and their decision. @return the node's line
-  std::string drive() {
-    EXPECT_TRUE(test::spinUntil(
-        [this] { return cloud_.getNumSubscribers() > 0 && odometry_.getNumSubscribers() > 0; }));
-    for (int k = 0; k < kScans; ++k) {
-      const Scan scan = test::sampleScan(kPoints, (1000 + k) * std::int64_t{100'000'000});
-      odometry_.publish(toOdometry(scan));
-      cloud_.publish(toSensorCloud(scan));
-    }
-    std::string line;
-    test::spinUntil([&line] {
-      line = test::NodeClient::flush();
-      return line.rfind(std::to_string(kScans) + " frames", 0) == 0;
-    });
-    return line;
-  }
-
-  ros::NodeHandle node_;
-  ros::Publisher cloud_ = node_.advertise<sensor_msgs::PointCloud2>("/cloud", 10);
-  ros::Publisher odometry_ = node_.advertise<nav_msgs::Odometry>("/odometry", 10);
+  test::ScanPublisher scans_{kPoints};
 };
 
 TEST_F(NodeletLifecycle, LoadedAndUnloadedOverAndOverItKeepsNothing) {
@@ -108,10 +76,10 @@ TEST_F(NodeletLifecycle, LoadedAndUnloadedOverAndOverItKeepsNothing) {
   constexpr double kMegabytes = 15.0;
   double before = 0.0;
   for (int round = 0; round < kWarmUp + kRounds; ++round) {
-    load();
-    const std::string line = drive();
-    ASSERT_EQ(line.rfind(std::to_string(kScans) + " frames", 0), 0U) << line;
-    unload();
+    test::loadNode();
+    ASSERT_TRUE(drive());
+    test::unloadNode();
+    ASSERT_TRUE(scans_.waitUntilAlone());
     if (round == kWarmUp - 1) before = residentMegabytes(processOf("/manager"));
   }
   ASSERT_GT(before, 0.0);
@@ -121,13 +89,31 @@ TEST_F(NodeletLifecycle, LoadedAndUnloadedOverAndOverItKeepsNothing) {
   EXPECT_LT(after - before, kMegabytes) << before << " MB before, " << after << " MB after";
 }
 
+TEST_F(NodeletLifecycle, APlayerThatDoesNotAnswerKeepsNothingWaiting) {
+  // As `rosbag play --keep-alive` at a high rate, once it has come to the end of the bag.
+  ros::CallbackQueue nobody_calls_it;
+  ros::NodeHandle deaf("/deaf");
+  deaf.setCallbackQueue(&nobody_calls_it);
+  const ros::ServiceServer service = deaf.advertiseService(
+      "pause_playback",
+      +[](std_srvs::SetBoolRequest&, std_srvs::SetBoolResponse&) { return true; });
+  ros::param::set("/segdf/player", "/deaf");
+  ros::param::set("/segdf/queue_size", 1);  // with one scan that waits the player is to be held
+  const test::NodeClient client;
+  test::loadNode();
+  scans_.publish(kScans);
+  EXPECT_TRUE(client.waitUntilReceived(kScans));
+  test::unloadNode();
+  ros::param::del("/segdf");
+}
+
 TEST_F(NodeletLifecycle, KilledWhileItSavesItLeavesAWholeMapOrNone) {
   const test::TempFolder folder;
   // Most of the scans' random points have a voxel of their own: 0.7 MB, written within
   // milliseconds.
   for (const int milliseconds : {0, 2, 5, 15}) {
-    load();
-    drive();
+    test::loadNode();
+    ASSERT_TRUE(drive());
     const std::string map = folder / ("map_" + std::to_string(milliseconds) + ".pcd");
     std::thread saving([&map] {
       SaveMap call;
@@ -135,8 +121,10 @@ TEST_F(NodeletLifecycle, KilledWhileItSavesItLeavesAWholeMapOrNone) {
       ros::service::call("/segdf/save_map", call);  // no answer comes from a killed node
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-    ASSERT_EQ(kill(processOf("/manager"), SIGKILL), 0);
+    const pid_t manager = processOf("/manager");
+    EXPECT_TRUE(manager > 0 && kill(manager, SIGKILL) == 0);
     saving.join();
+    ASSERT_TRUE(scans_.waitUntilAlone());
     if (!std::filesystem::exists(map)) continue;
     std::size_t points = 0;
     EXPECT_NO_THROW(forEachPoint(map, [&points](const MapPoint&) { ++points; }));

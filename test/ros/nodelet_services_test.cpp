@@ -97,6 +97,7 @@ TEST_F(NodeletServices, WhatIsDroppedIsCounted) {
   EXPECT_EQ(last.scans_processed + last.scans_dropped, scans);
   EXPECT_EQ(client.frames.size(), last.scans_processed);
   EXPECT_TRUE(contains(line, std::to_string(last.scans_dropped) + " dropped"));
+  EXPECT_TRUE(contains(line, "a scan waited ") && contains(line, ", and took ")) << line;
   EXPECT_EQ(arrays, client.frames.size());
   EXPECT_GT(instances, arrays) << "a street has more than one object";
   EXPECT_GT(markers, 2 * instances) << "a box and a text each, and what deletes the old ones";

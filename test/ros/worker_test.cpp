@@ -59,5 +59,14 @@ TEST(Worker, DropsWhatWaitsWhenItEnds) {
   EXPECT_FALSE(late);
 }
 
+TEST(Worker, TakesNothingAfterItHasStopped) {
+  Worker worker(2);
+  worker.stop();
+  bool done = false;
+  EXPECT_FALSE(worker.tryPost([&done] { done = true; }));
+  worker.post([&done] { done = true; });
+  EXPECT_FALSE(done);
+}
+
 }  // namespace
 }  // namespace segdf

@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Plays a simulated drive through segdf.launch, with rviz/segdf.rviz on a screen of its own, and takes a picture:
+# Runs demo.launch, which plays a simulated drive and opens rviz, on a screen of its own, and takes a picture:
 #   rviz_picture.sh DEVEL_DIR PICTURE.png [--docs]
-# It fails unless the picture shows a map (check_picture.py). With --docs the drive is longer and the picture small
-# enough for docs/images/rviz.png. Screen, ROS master and log folder are its own; all it starts, it stops.
+# It fails unless the picture shows map, trails and boxes (check_picture.py). With --docs the sensor has more lasers and
+# the picture is small enough for docs/images/rviz.png. Screen, ROS master and log folder are its own; all it starts,
+# it stops.
 # Exit 77: a program that is needed is not installed.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 devel=$(cd "$1" && pwd)
 picture=$(realpath -m "$2")
-drive=(--sensor vlp16 --scans 35 --seed 7) scans=35
+sensor=vlp16 scans=35
 docs=false
-[ "${3:-}" != --docs ] || { docs=true; drive=(--sensor hdl32 --scans 50 --seed 1); scans=50; }
+[ "${3:-}" != --docs ] || { docs=true; sensor=hdl32; }
 
 # ROS tools are written for the system's Python.
 export PATH="/usr/bin:$PATH"
@@ -46,7 +47,7 @@ trap 'exit 1' INT TERM
 
 fail() {
   echo "error: $1" >&2
-  tail -n 20 "$work"/*.log >&2 || true
+  for log in "$work"/*.log; do tr '\r' '\n' <"$log" | grep -v 'Bag Time' | tail -n 20 >&2; done
   exit 1
 }
 
@@ -71,18 +72,17 @@ os.execvp(sys.argv[1], sys.argv[1:])' "$@" >"$log" 2>&1 &
 }
 
 take_picture() { import -window root "$work/picture.png"; }
-shows_map() { take_picture && python3 "$here/check_picture.py" "$work/picture.png"; }
+shows_all() { take_picture && python3 "$here/check_picture.py" "$work/picture.png"; }
 # Twice the same: nothing is on its way to the screen any more.
 settled() {
   local before=$seen
-  seen=$(shows_map) && [ "$seen" = "$before" ]
+  seen=$(shows_all) && [ "$seen" = "$before" ]
 }
-rviz_listens() { [[ $(rostopic info /segdf/dynamic_cloud) == *Subscribers:*segdf_rviz* ]]; }
-played() { ! kill -0 "$player"; }
+rviz_hears() { [[ $(rostopic info "/segdf/$1") == *Subscribers:*segdf_rviz* ]]; }
+rviz_listens() { rviz_hears static_map && rviz_hears dynamic_cloud && rviz_hears markers; }
+play() { rosservice call /segdf_player/pause_playback false; }
+all_received() { rostopic echo -n 1 /diagnostics | grep -A 1 '"clouds received"' | grep "\"$scans\""; }
 all_decided() { [[ $(rosservice call /segdf/flush) == *"$scans frames published"* ]]; }
-
-"$devel/lib/segdf/segdf_simulate" "${drive[@]}" --bag "$work/drive.bag" >"$work/simulate.log" 2>&1 ||
-  fail "the drive cannot be simulated"
 
 start screen Xvfb -displayfd 1 -screen 0 1400x900x24 -nolisten tcp
 wait_for 60 "the screen" grep -q '^[0-9]' "$work/screen.log"
@@ -98,15 +98,16 @@ port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0));
 export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1
 unset ROS_HOSTNAME
 
-start launch roslaunch --port "$port" segdf segdf.launch use_sim_time:=true rviz:=true
+# The player is held until rviz listens, which does not get the trails afterwards, and stays when it is done: one
+# that ends drops what it has not sent.
+start launch roslaunch --port "$port" segdf demo.launch "bag:=$work/drive.bag" rviz:=true \
+  "simulate:=--sensor $sensor --scans $scans --seed 7" "player_args:=--pause --keep-alive"
 wait_for 120 "rviz to listen" rviz_listens
-shows_map >/dev/null && fail "the picture of an empty rviz passes for a map"
-start player rosbag play --quiet --clock --wait-for-subscribers "$work/drive.bag" --topics \
-  /lio_sam/mapping/cloud_registered_raw /lio_sam/mapping/odometry
-player=${pids[-1]}
-wait_for 180 "the end of the bag" played
-wait_for 120 "the last scans" all_decided
-wait_for 120 "a picture of the map that stays" settled
+shows_all >/dev/null && fail "the picture of an empty rviz passes"
+wait_for 60 "the player" play
+wait_for 120 "the clouds" all_received
+wait_for 60 "the last scans" all_decided
+wait_for 120 "a picture that shows all, and stays" settled
 echo "$seen"
 
 mkdir -p "$(dirname "$picture")"

@@ -2,21 +2,19 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "segdf/core/frame_result.hpp"
+#include "segdf/core/stopwatch.hpp"
 
 namespace segdf {
 
 /// What a run did and what it cost: adds up frames, measures time and memory of the process.
 class RunReport {
  public:
-  RunReport();
-
   /// Where the drive came from and how it was run; told in the report.
   struct Setting {
     std::string source;
@@ -55,7 +53,7 @@ class RunReport {
   double wallSeconds() const;
 
   Setting setting_;
-  std::chrono::steady_clock::time_point start_;
+  Stopwatch watch_;
   std::size_t frames_ = 0;
   std::array<std::size_t, 5> by_status_{};        ///< indexed by FrameStatus
   std::array<std::size_t, 5> first_of_status_{};  ///< indexed by FrameStatus

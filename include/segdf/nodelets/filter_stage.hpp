@@ -35,7 +35,10 @@ class FilterStage {
               OutputTopics& outputs);
 
   /// Filters a pair and publishes the frames that leave the window. Never throws for bad data.
-  void handle(const sensor_msgs::PointCloud2ConstPtr& cloud, const nav_msgs::Odometry& odometry);
+  /// @param waited seconds, for the ledger
+  void handle(const sensor_msgs::PointCloud2ConstPtr& cloud,
+              const nav_msgs::Odometry& odometry,
+              double waited);
 
   /// Decides and publishes what is in the window, then the map; the session's files appear.
   /// @return one line for the user

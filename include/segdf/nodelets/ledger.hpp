@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <mutex>
 #include <string>
@@ -8,6 +9,25 @@
 #include <segdf/FrameReport.h>
 
 namespace segdf {
+
+/// Some durations, in seconds.
+class Durations {
+ public:
+  void add(double seconds) {
+    ++count_;
+    sum_ += seconds;
+    greatest_ = std::max(greatest_, seconds);
+  }
+  bool empty() const { return count_ == 0; }
+  /// @pre not empty
+  double mean() const { return sum_ / static_cast<double>(count_); }
+  double greatest() const { return greatest_; }
+
+ private:
+  std::size_t count_ = 0;
+  double sum_ = 0.0;
+  double greatest_ = 0.0;
+};
 
 /// What became of everything that came in. Nothing is lost without being counted here:
 /// clouds = processed + scansWaiting() + dropped + unusable + unmatched + clouds_waiting.
@@ -24,6 +44,8 @@ struct Counts {
   std::size_t lost = 0;            ///< clouds that never came, by gaps in header.seq
   std::size_t time_resets = 0;
   std::size_t jump_resets = 0;
+  Durations filtering;  ///< of a scan, from its messages to topics and files
+  Durations waiting;    ///< of a scan, for the filter
 
   std::size_t scansWaiting() const { return pairs - dropped - unusable - processed; }
 };
@@ -46,7 +68,8 @@ class Ledger {
   Counts counts_;
 };
 
-/// One line: "35 clouds received: 33 filtered, 2 dropped, ...".
+/// One line: "35 clouds received: 33 filtered, 2 dropped, ...", and how long a scan took and
+/// waited.
 std::string toText(const Counts& counts);
 
 /// Puts the counts into a report of a frame.

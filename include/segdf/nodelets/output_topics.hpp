@@ -24,9 +24,13 @@ namespace segdf {
 /// for a topic to which nobody listens.
 class OutputTopics {
  public:
-  /// @param queue_size messages that may wait for a slow subscriber
-  /// @param on_map_viewer called, in a ROS thread, when somebody subscribes to the map
-  OutputTopics(ros::NodeHandle& node, int queue_size, const std::function<void()>& on_map_viewer);
+  /// All but the map. @param queue_size messages that may wait for a slow subscriber
+  OutputTopics(ros::NodeHandle& node, int queue_size);
+
+  /// And the map, before anything is published.
+  /// @param on_viewer called, in a ROS thread, when somebody subscribes to it: at once by those who
+  /// waited for it
+  void offerMap(ros::NodeHandle& node, const std::function<void()>& on_viewer);
 
   /// How things are shown from now on. From any thread.
   void show(const DisplayConfig& display);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <future>
 #include <string>
 
 #include <ros/node_handle.h>
@@ -10,13 +11,13 @@
 namespace segdf {
 
 /// Holds `rosbag play` while more scans wait than the filter can take, so that a bag can be played
-/// at any speed without a drop. For one thread.
+/// at any speed without a drop. For one thread, which never waits for the player.
 class PlayerBrake {
  public:
   /// @param player its node; empty: there is none, and nothing is ever held
   /// @param capacity scans that may wait: from half of it on the player is held, down to a quarter
-  PlayerBrake(ros::NodeHandle& node, const std::string& player, std::size_t capacity);
-  /// Lets the player go.
+  PlayerBrake(const ros::NodeHandle& node, const std::string& player, std::size_t capacity);
+  /// Lets the player go, if it answers within a second.
   ~PlayerBrake();
   PlayerBrake(const PlayerBrake&) = delete;
   PlayerBrake& operator=(const PlayerBrake&) = delete;
@@ -25,11 +26,16 @@ class PlayerBrake {
   void look(std::size_t waiting);
 
  private:
-  void set(bool held);
+  void ask(bool hold);
+  bool hasAnswered();
+  void awaitAnswer();
 
-  ros::ServiceClient pause_;
+  ros::NodeHandle node_;
+  std::string service_;  ///< empty: no player
   std::size_t capacity_;
-  bool held_ = false;
+  ros::ServiceClient client_;
+  std::future<bool> answer_;  ///< whether the player is held now
+  bool held_ = false;         ///< by the last answer
 };
 
 }  // namespace segdf

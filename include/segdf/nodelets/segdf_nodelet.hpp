@@ -5,11 +5,14 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
+#include <boost/shared_ptr.hpp>
 #include <dynamic_reconfigure/server.h>
 #include <std_srvs/Trigger.h>
 
 #include <nodelet/nodelet.h>
+#include <ros/callback_queue_interface.h>
 #include <ros/service_server.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -59,15 +62,21 @@ class SegdfNodelet : public nodelet::Nodelet {
   std::string inWorker(std::function<std::string()> work);
   std::string saveMap(const std::string& destination, double resolution);
 
+  void keepCallbackQueues();
+
+  /// The manager frees them when it unloads the nodelet, which a callback at hand may outlive: the
+  /// nodelet then ends in that callback's thread, and takes its callbacks out of them.
+  std::vector<boost::shared_ptr<ros::CallbackQueueInterface>> callback_queues_;
   Ledger ledger_;
   std::mutex save_mutex_;  ///< one save at a time
 
-  // Goes from the end: nothing comes in while the worker stops, and it stops before what it uses.
+  // Goes from the end: nothing comes in while the worker stops. It is there as long as the outputs,
+  // which ask it for the map when somebody wants to see it, but stops before them.
   std::unique_ptr<tf2_ros::Buffer> tf_buffer_;
   std::unique_ptr<tf2_ros::TransformListener> tf_listener_;
+  std::unique_ptr<Worker> worker_;
   std::unique_ptr<OutputTopics> outputs_;
   std::unique_ptr<FilterStage> stage_;
-  std::unique_ptr<Worker> worker_;
   std::unique_ptr<Intake> intake_;
   std::unique_ptr<Diagnostics> diagnostics_;
   std::unique_ptr<dynamic_reconfigure::Server<DisplayConfig>> display_server_;

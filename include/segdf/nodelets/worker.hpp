@@ -17,16 +17,18 @@ class Worker {
 
   /// @param capacity jobs that may wait, at least 1
   explicit Worker(std::size_t capacity);
-  /// Ends the job at hand; those that still wait are dropped.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// @return false, and the job is not taken, if as many wait as may
+  /// @return false, and the job is not taken, if as many wait as may, or after stop()
   bool tryPost(Job job);
 
-  /// Waits until there is room.
+  /// Waits until there is room. After stop() the job is dropped.
   void post(Job job);
+
+  /// Ends the job at hand; those that still wait are dropped.
+  void stop();
 
  private:
   void run();
