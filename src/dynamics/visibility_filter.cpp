@@ -35,6 +35,7 @@ void VisibilityFilter::observe(const Window& window) {
   const KeyFrame& previous = *window[window.size() - 2];
   newest.evidence->way = previous.evidence->way +
                          (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
+  newest.evidence->step = newest.evidence->time - previous.evidence->time;
   compare(window);
 }
 

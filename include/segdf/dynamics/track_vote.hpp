@@ -24,6 +24,8 @@ class TrackBook {
     std::size_t scan = 0;                              ///< running number
     Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
+    double seconds = 0.0;                              ///< since the key frame before
+    bool parked = false;                               ///< it was found again all the same
   };
   /// By id; those of one id in the order of their scans.
   using Proofs = std::map<std::uint32_t, std::vector<Proof>>;
@@ -38,7 +40,10 @@ class TrackBook {
   void note(const KeyFrame& frame);
 
  private:
-  bool moves(const KeyFrame& frame, std::size_t segment, const Proofs& present) const;
+  bool moves(const KeyFrame& frame,
+             std::size_t segment,
+             const std::vector<Proof>& past,
+             const std::vector<Proof>& present) const;
 
   DynamicConfig config_;
   Proofs past_;  ///< of tracks that the last frame had
