@@ -18,7 +18,7 @@ constexpr int kProofs = 2;
 // proof counts from the key frame before, and never for more than a third of it: three are needed.
 constexpr double kStrongSeconds = 0.75;
 constexpr double kLongestStep = 0.3;
-constexpr std::size_t kKeptProofs = 64;  // the latest of the past
+constexpr std::size_t kKeptProofs = 64;  // of the past: the first half, and the latest
 
 // Seconds in which the track moved elsewhere, seen by frames that found the instance here.
 constexpr double kElsewhereSeconds = 0.25;
@@ -32,10 +32,10 @@ bool isParkedHere(const KeyFrame& frame, std::size_t s, const DynamicConfig& con
   return isParked(frame.evidence->votes[s], frame.seg.segments[s].points.size(), config);
 }
 
-Proof proofOf(const KeyFrame& frame, std::size_t segment, const DynamicConfig& config) {
+Proof proofOf(const KeyFrame& frame, std::size_t segment) {
   const UprightBox& box = frame.seg.segments[segment].box;
   return {frame.index, box.size, frame.scan.pose * box.center.cast<double>(),
-          std::min(frame.evidence->step, kLongestStep), isParkedHere(frame, segment, config)};
+          std::min(frame.evidence->step, kLongestStep)};
 }
 
 /// The instances in the window that the votes make dynamic so far.
@@ -45,7 +45,7 @@ Proofs proofsIn(const Window& window, const DynamicConfig& config) {
     for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
       const ObjectClass object_class = frame->seg.segments[s].object_class;
       if (!judgeVotes(frame->evidence->votes[s], object_class, config).dynamic) continue;
-      proofs[frame->instances[s].id].push_back(proofOf(*frame, s, config));
+      proofs[frame->instances[s].id].push_back(proofOf(*frame, s));
     }
   }
   return proofs;
@@ -61,7 +61,7 @@ const std::vector<Proof>& proofsOf(const Proofs& proofs, std::uint32_t id) {
 double secondsOfMotion(const std::vector<Proof>& proofs, const Eigen::Vector3f& size) {
   double seconds = 0.0;
   for (const Proof& proof : proofs) {
-    if (!proof.parked && isPartOf(proof.size, size)) seconds += proof.seconds;
+    if (isPartOf(proof.size, size)) seconds += proof.seconds;
   }
   return seconds;
 }
@@ -80,7 +80,7 @@ bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
                  const std::vector<Proof>& proofs,
                  const DynamicConfig& config) {
-  const Proof here = proofOf(frame, segment, config);
+  const Proof here = proofOf(frame, segment);
   const double apart = std::max(kElsewhere, 0.5 * static_cast<double>(here.size.x()));
   const std::size_t points = frame.seg.segments[segment].points.size();
   double seconds = 0.0;
@@ -109,7 +109,7 @@ bool TrackBook::moves(const KeyFrame& frame,
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
   return secondsOfMotion(proofs, size) >= kStrongSeconds &&
-         wentAway(proofs, proofOf(frame, s, config_)) && !standsApart(frame, s, proofs, config_);
+         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_);
 }
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
@@ -135,8 +135,8 @@ void TrackBook::note(const KeyFrame& frame) {
     seen.insert(instance.id);
     if (!instance.dynamic || instance.reason != Reason::kVotes) continue;
     std::vector<Proof>& proofs = past_[instance.id];
-    if (proofs.size() == kKeptProofs) proofs.erase(proofs.begin());
-    proofs.push_back(proofOf(frame, s, config_));
+    if (proofs.size() == kKeptProofs) proofs.erase(proofs.begin() + kKeptProofs / 2);
+    proofs.push_back(proofOf(frame, s));
   }
   for (auto track = past_.begin(); track != past_.end();) {
     track = seen.count(track->first) != 0 ? std::next(track) : past_.erase(track);

@@ -25,7 +25,6 @@ class TrackBook {
     Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
     double seconds = 0.0;                              ///< since the key frame before
-    bool parked = false;                               ///< it was found again all the same
   };
   /// By id; those of one id in the order of their scans.
   using Proofs = std::map<std::uint32_t, std::vector<Proof>>;
