@@ -15,15 +15,16 @@ namespace {
 
 constexpr int kProofs = 2;
 // Seconds of proven motion that outweigh that the instance stands here: eight scans at 10 Hz. A
-// proof counts from the key frame before, and never for more than a third of it: three are needed.
+// proof stands for the time since the key frame before, but for no more than a step: three are
+// asked for, however far apart key frames are.
 constexpr double kStrongSeconds = 0.75;
 constexpr double kLongestStep = 0.3;
 constexpr std::size_t kKeptProofs = 64;  // of the past: the first half, and the latest
 
-// Seconds in which the track moved elsewhere, seen by frames that found the instance here.
+// Seconds of motion elsewhere in scans that found the instance here: three scans at 10 Hz.
 constexpr double kElsewhereSeconds = 0.25;
 constexpr double kElsewhere = 2.0;  // metres: farther than views of one car differ
-constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a part
+constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
 
 using Proof = TrackBook::Proof;
 using Proofs = TrackBook::Proofs;
@@ -66,8 +67,8 @@ double secondsOfMotion(const std::vector<Proof>& proofs, const Eigen::Vector3f& 
   return seconds;
 }
 
-/// True when a proof lies where no part of the instance can: it is the motion of something else, or
-/// the instance has moved.
+/// True when something moved where no view of the instance can have its centre. Parts of what
+/// stands may seem seen through from afar, time and again from the place where the ego waits.
 bool wentAway(const std::vector<Proof>& proofs, const Proof& here) {
   return std::any_of(proofs.begin(), proofs.end(), [&](const Proof& proof) {
     const float room = std::max(0.0F, here.size.x() - proof.size.y()) / 2.0F;
@@ -75,7 +76,7 @@ bool wentAway(const std::vector<Proof>& proofs, const Proof& here) {
   });
 }
 
-/// True when frames in which the track was elsewhere found the segment here.
+/// True when scans in which the track moved elsewhere found the segment here, for long enough.
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
                  const std::vector<Proof>& proofs,
@@ -108,8 +109,8 @@ bool TrackBook::moves(const KeyFrame& frame,
   if (config_.semi_static != SemiStatic::kRemove) return false;
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
-  return secondsOfMotion(proofs, size) >= kStrongSeconds &&
-         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_);
+  return secondsOfMotion(proofs, size) >= kStrongSeconds && wentAway(proofs, proofOf(frame, s)) &&
+         !standsApart(frame, s, proofs, config_);
 }
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
@@ -119,9 +120,10 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
     Instance& instance = frame.instances[s];
     if (instance.dynamic) continue;
     std::vector<Proof> past = proofsOf(past_, instance.id);
-    past.erase(std::lower_bound(past.begin(), past.end(), window.front()->index,
-                                [](const Proof& proof, std::size_t scan) { return proof.scan < scan; }),
-               past.end());
+    past.erase(
+        std::lower_bound(past.begin(), past.end(), window.front()->index,
+                         [](const Proof& proof, std::size_t scan) { return proof.scan < scan; }),
+        past.end());
     if (!moves(frame, s, past, proofsOf(present, instance.id))) continue;
     instance.dynamic = true;
     instance.reason = Reason::kTrack;
