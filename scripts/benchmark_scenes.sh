@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # Simulates, filters and scores the built-in scenes and prints one table, a row each, over all seeds together:
-#   benchmark_scenes.sh [--seeds "101 102"] [--scenes "mixed s03_oncoming"] [--sensor hdl64] [--mode NAME] [--build DIR]
-# Seeds 101 to 110 (the default) are for reporting; whoever tunes takes seeds 1 to 10 and never these.
+#   benchmark_scenes.sh [--seeds "101 102"] [--scenes "mixed s03_oncoming"] [--sensor NAME] [--mode NAME] [--build DIR]
+# Sensors are the scenes' own unless one is named. Seeds 101 to 110 (the default) are for reporting; whoever tunes takes
+# seeds 1 to 10 and never these.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 seeds="101 102 103 104 105 106 107 108 109 110"
-scenes="" sensor=hdl64 build="$root/build"
+scenes="" sensor=() build="$root/build"
 mode=()
 while [ $# -gt 0 ]; do
   case $1 in
     --seeds) seeds=$2 ;;
     --scenes) scenes=$2 ;;
-    --sensor) sensor=$2 ;;
+    --sensor) sensor=(--sensor "$2") ;;
     --mode) mode=(--mode "$2") ;;
     --build) build=$2 ;;
     *) echo "error: unknown option $1; known are --seeds, --scenes, --sensor, --mode, --build" >&2; exit 2 ;;
@@ -34,9 +35,9 @@ for scene in $scenes; do
   for seed in $seeds; do
     rm -rf "$work/drive" "$work/result"
     echo "$scene, seed $seed" >&2
-    "$bin/segdf_simulate" --scene "$scene" --sensor "$sensor" --seed "$seed" --threads "$(nproc)" \
+    "$bin/segdf_simulate" --scene "$scene" "${sensor[@]}" --seed "$seed" --threads "$(nproc)" \
       --output "$work/drive" >/dev/null 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
-    "$bin/segdf_offline" --kitti "$work/drive" --sensor "$sensor" --config "$work/config.yaml" "${mode[@]}" \
+    "$bin/segdf_offline" --kitti "$work/drive" "${sensor[@]}" --config "$work/config.yaml" "${mode[@]}" \
       --threads "$(nproc)" --output "$work/result" >/dev/null 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
     "$bin/segdf_evaluate" --kitti "$work/drive" --labels "$work/result/labels" \
       --json "$work/score.$scene.$seed.json" >/dev/null

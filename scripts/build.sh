@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs, configures and builds: build.sh [cmake target ...]. Sourced variables: none; the build is in build/.
+# Installs, configures and builds, into build/: build.sh [cmake target ...]. Without a target programs and nodelet; `all`
+# has the tests, too.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -14,6 +15,7 @@ cmake -S "$root" -B "$root/build" -DCMAKE_BUILD_TYPE=Release >"$root/build/confi
   cat "$root/build/configure.log" >&2
   exit 1
 }
+[ $# -gt 0 ] || set -- segdf_programs
 targets=()
 for target in "$@"; do targets+=(--target "$target"); done
 cmake --build "$root/build" -j "$jobs" "${targets[@]}" |

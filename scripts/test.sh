@@ -4,7 +4,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-"$root/scripts/build.sh"
+"$root/scripts/build.sh" all
 export PATH="/usr/bin:$PATH"
 
 archives="$root/../shared/data"

@@ -21,7 +21,7 @@ struct OfflineOptions {
   std::filesystem::path output;
   std::filesystem::path segments;  ///< for coloured clouds of each scan; empty: none
   std::string mode;                ///< empty: as configured
-  int threads = 1;
+  int threads = 2;
 };
 
 /// Filters one drive: source -> pipeline -> writer. Prints warnings and progress.

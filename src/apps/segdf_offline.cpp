@@ -23,7 +23,7 @@ void addOptions(CLI::App& app, OfflineOptions& options) {
                  "folder for a coloured cloud and picture of each scan, by instance and by class");
   app.add_option("--mode", options.mode,
                  "dynamic filter: segdf (default) or literal, the algorithm as printed");
-  app.add_option("--threads", options.threads, "worker threads (default 1); same results with any")
+  app.add_option("--threads", options.threads, "worker threads (default 2); same results with any")
       ->check(CLI::Range(1, 256));
   app.callback([&options, print] {
     if (print->count() > 0) return;

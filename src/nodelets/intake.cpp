@@ -178,7 +178,20 @@ void Intake::watchForLosses() {
 void Intake::watchForTheEnd() {
   orphan_ticks_ = cloud_subscriber_.getNumPublishers() == 0 ? orphan_ticks_ + 1 : 0;
   if (ended_ || orphan_ticks_ < kOrphanTicks) return;
+  warnOfTheTail();
   ended_ = handlers_.on_end();
+}
+
+/// A player that ends drops what it has not sent: of the large clouds more than of the small poses.
+void Intake::warnOfTheTail() const {
+  if (!synchroniser_ || !last_cloud_) return;
+  const std::size_t alone = synchroniser_->posesAfter(last_cloud_->stamp);
+  const Counts counts = ledger_.counts();
+  if (alone * counts.clouds <= counts.poses) return;  // no more than come with one cloud
+  ROS_WARN_NAMED(name_,
+                 "%zu poses are later than the last cloud: rosbag play ends without sending all it "
+                 "has read. Play slower",
+                 alone);
 }
 
 }  // namespace segdf

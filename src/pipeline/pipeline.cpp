@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/pipeline/pipeline.hpp"
 
+#include <algorithm>
 #include <deque>
+#include <future>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -33,18 +35,21 @@ class Pipeline::Impl {
  public:
   Impl(const Config& config, int threads)
       : config_(validated(config, threads)),
-        threads_(threads),
+        segmentation_threads_((threads + 1) / 2),
+        when_(threads > 1 ? std::launch::async : std::launch::deferred),
         grid_(config.cvi, config.input.min_range),
         gate_(config.input),
         jump_detector_(config.input.max_jump),
-        filter_(makeDynamicFilter(config_, ids_, threads)) {}
+        filter_(makeDynamicFilter(config_, ids_, std::max(1, threads / 2))) {}
 
   std::vector<FrameResult> process(Scan scan) {
-    std::vector<FrameResult> results;
     const bool jump = jump_detector_.jumps(scan);
+    std::vector<FrameResult> results;
     if (jump) results = decideAll();
-    enter(std::move(scan), jump);
-    for (FrameResult& result : release(false)) results.push_back(std::move(result));
+    Entry entry = makeEntry(std::move(scan), jump);
+    append(results, filtered());
+    entries_.push_back(std::move(entry));
+    filtering_ = std::async(when_, [this] { return filterNewest(); });
     return results;
   }
 
@@ -54,11 +59,22 @@ class Pipeline::Impl {
   }
 
  private:
+  static void append(std::vector<FrameResult>& results, std::vector<FrameResult> more) {
+    for (FrameResult& result : more) results.push_back(std::move(result));
+  }
+
+  /// What the filter, which works beside the segmentation, says of the scan before.
+  std::vector<FrameResult> filtered() {
+    return filtering_.valid() ? filtering_.get() : std::vector<FrameResult>{};
+  }
+
   std::vector<FrameResult> decideAll() {
+    std::vector<FrameResult> results = filtered();
     const Window window = keyFrames();
     for (std::size_t i = 0; i < window.size(); ++i) filter_->decide(window, i);
     gate_ = ScanGate(config_.input);
-    return release(true);
+    append(results, release(true));
+    return results;
   }
 
   /// A scan inside the window: a key frame, or the ready result of one that was turned away.
@@ -69,43 +85,52 @@ class Pipeline::Impl {
     bool after_jump = false;
   };
 
-  void enter(Scan scan, bool after_jump) {
+  Entry makeEntry(Scan scan, bool after_jump) {
+    Entry entry;
+    entry.index = next_index_++;
+    entry.after_jump = after_jump;
     const FrameStatus status = gate_.admit(scan);
     if (status == FrameStatus::kMapped) {
-      addKeyFrame(std::move(scan));
+      entry.key = segmented(std::move(scan), entry.index);
     } else {
-      entries_.push_back({next_index_++, rejectedResult(std::move(scan), status), nullptr});
+      entry.rejected = rejectedResult(std::move(scan), status);
     }
-    entries_.back().after_jump = after_jump;
+    return entry;
   }
 
-  /// Seg(P_k): segments, describes and classifies a scan, then lets the filter compare it.
-  void addKeyFrame(Scan scan) {
+  /// Seg(P_k): segments, describes and classifies a scan. Touches nothing that the filter does.
+  std::unique_ptr<KeyFrame> segmented(Scan scan, std::size_t index) const {
     auto frame = std::make_unique<KeyFrame>();
-    frame->index = next_index_;
+    frame->index = index;
     frame->scan = std::move(scan);
-    frame->seg = segmentScan(frame->scan, config_, threads_, frame->times);
-    {
-      const StageTimer timer(frame->times.classification);
-      describeAndClassify(*frame, config_.classes, threads_);
-    }
-    const StageTimer timer(frame->times.dynamics);
-    measureMisfit(*frame);
-    entries_.push_back({next_index_++, {}, std::move(frame)});
-    filter_->observe(keyFrames());
-    forgetDetails(keyFrames());
+    frame->seg = segmentScan(frame->scan, config_, segmentation_threads_, frame->times);
+    const StageTimer timer(frame->times.classification);
+    describeAndClassify(*frame, config_.classes, segmentation_threads_);
+    return frame;
   }
 
-  /// A third of a frame's memory is for questions to the newest frame and to the one before it.
+  /// Lets the filter compare the newest key frame. @return the frames that leave the window
+  std::vector<FrameResult> filterNewest() {
+    if (entries_.back().key) {
+      const Window window = keyFrames();
+      const StageTimer timer(window.back()->times.dynamics);
+      measureMisfit(window);
+      filter_->observe(window);
+      forgetDetails(window);
+    }
+    return release(false);
+  }
+
+  /// Surfaces are asked for of the newest frame only, voxels of the two before it, too.
   static void forgetDetails(const Window& window) {
     window.back()->seg.forgetSurfaces();
     if (window.size() > 2) window[window.size() - 3]->seg.forgetVoxels();
   }
 
-  void measureMisfit(KeyFrame& frame) const {
-    const Window window = keyFrames();
-    frame.pose_misfit = window.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                       : poseMisfit(frame, *window.back(), grid_);
+  void measureMisfit(const Window& window) const {
+    KeyFrame& newest = *window.back();
+    newest.pose_misfit = window.size() < 2 ? std::numeric_limits<double>::quiet_NaN()
+                                           : poseMisfit(newest, *window[window.size() - 2], grid_);
   }
 
   Window keyFrames() const {
@@ -135,7 +160,8 @@ class Pipeline::Impl {
   }
 
   Config config_;
-  int threads_;
+  int segmentation_threads_;  ///< the filter has the others
+  std::launch when_;          ///< the filter works
   CurvedGrid grid_;
   ScanGate gate_;
   JumpDetector jump_detector_;
@@ -143,6 +169,7 @@ class Pipeline::Impl {
   std::unique_ptr<DynamicFilter> filter_;
   std::deque<Entry> entries_;
   std::size_t next_index_ = 0;
+  std::future<std::vector<FrameResult>> filtering_;  ///< last: ends before what it works on
 };
 
 Pipeline::Pipeline(const Config& config, int threads)

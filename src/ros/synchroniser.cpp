@@ -36,6 +36,12 @@ void Synchroniser::addOdometry(const OdometryPtr& odometry) {
   pairUp();
 }
 
+std::size_t Synchroniser::posesAfter(const ros::Time& stamp) const {
+  return static_cast<std::size_t>(
+      std::count_if(poses_.begin(), poses_.end(),
+                    [&](const OdometryPtr& pose) { return pose->header.stamp > stamp; }));
+}
+
 /// What came before the pose finds no cloud any more; interpolation may need it once again.
 OdometryPtr Synchroniser::findPose(const sensor_msgs::PointCloud2& cloud) {
   const ros::Time& stamp = cloud.header.stamp;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <std_srvs/Trigger.h>
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
@@ -75,10 +76,17 @@ class NodeClient {
     reports_ = node_.subscribe<FrameReport>(
         "/segdf/frame_report", kQueueSize,
         [this](const FrameReportConstPtr& report) { reports.push_back(*report); });
+    diagnostics_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", kQueueSize, &NodeClient::readDiagnostics, this);
   }
 
   bool isConnected() const {
     return labelled_.getNumPublishers() > 0 && reports_.getNumPublishers() > 0;
+  }
+
+  /// The node has its own connections: what a test has heard may still be on the way to it.
+  bool waitUntilReceived(std::size_t clouds) const {
+    return spinUntil([&] { return clouds_received_ == std::to_string(clouds); });
   }
 
   /// @return the node's line
@@ -93,9 +101,19 @@ class NodeClient {
   std::vector<FrameReport> reports;
 
  private:
+  void readDiagnostics(const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+    for (const auto& status : array->status) {
+      for (const auto& pair : status.values) {
+        if (pair.key == "clouds received") clouds_received_ = pair.value;
+      }
+    }
+  }
+
+  std::string clouds_received_;
   ros::NodeHandle node_;
   ros::Subscriber labelled_;
   ros::Subscriber reports_;
+  ros::Subscriber diagnostics_;
 };
 
 /// received = everything that became of it.

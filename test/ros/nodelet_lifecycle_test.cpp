@@ -146,9 +146,3 @@ TEST_F(NodeletLifecycle, KilledWhileItSavesItLeavesAWholeMapOrNone) {
 
 }  // namespace
 }  // namespace segdf
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "nodelet_lifecycle_test");
-  return RUN_ALL_TESTS();
-}

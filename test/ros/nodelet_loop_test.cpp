@@ -36,9 +36,3 @@ TEST(NodeletLoop, EveryRoundIsTheSame) {
 
 }  // namespace
 }  // namespace segdf
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "nodelet_loop_test");
-  return RUN_ALL_TESTS();
-}

@@ -84,17 +84,7 @@ TEST_F(NodeletServices, WhatIsDroppedIsCounted) {
       [&played](const sensor_msgs::PointCloud2ConstPtr&) { ++played; });
   const std::size_t scans = test::labelFiles(ros::param::param<std::string>("~labels", "")).size();
   ASSERT_TRUE(test::spinUntil([&] { return played >= scans; }));
-  // The node has its own connections: what has come here may still be on the way to it.
-  std::string received;
-  const ros::Subscriber diagnostics = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
-      "/diagnostics", 10, [&received](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
-        for (const auto& status : array->status) {
-          for (const auto& pair : status.values) {
-            if (pair.key == "clouds received") received = pair.value;
-          }
-        }
-      });
-  ASSERT_TRUE(test::spinUntil([&] { return received == std::to_string(scans); }));
+  ASSERT_TRUE(client.waitUntilReceived(scans));
   const std::string line = test::NodeClient::flush();
   ASSERT_TRUE(test::spinUntil([&] {
     return !client.reports.empty() && client.frames.size() >= client.reports.back().scans_processed;
@@ -181,9 +171,3 @@ TEST_F(NodeletServices, ResetKeepsOrClearsTheMap) {
 
 }  // namespace
 }  // namespace segdf
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "nodelet_services_test");
-  return RUN_ALL_TESTS();
-}

@@ -34,9 +34,3 @@ TEST(NodeletSilence, WarningNamesTheTopicsExpectedAndThoseOnTheAir) {
 
 }  // namespace
 }  // namespace segdf
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "nodelet_silence_test");
-  return RUN_ALL_TESTS();
-}

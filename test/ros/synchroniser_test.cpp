@@ -45,6 +45,13 @@ TEST_F(SynchroniserTest, PairsWhicheverComesFirst) {
   EXPECT_EQ(synchroniser_.counts().unmatched, 0U);
 }
 
+TEST_F(SynchroniserTest, CountsPosesWithoutCloudAfterATime) {
+  for (std::uint32_t second = 1; second <= 4; ++second) odometry(second);
+  cloud(2);
+  EXPECT_EQ(synchroniser_.posesAfter(ros::Time(2, 0)), 2U);
+  EXPECT_EQ(synchroniser_.posesAfter(ros::Time(4, 0)), 0U);
+}
+
 TEST_F(SynchroniserTest, WaitsAsLongAsTheQueueAllows) {
   for (std::uint32_t second = 1; second <= kQueueSize; ++second) cloud(second);
   for (std::uint32_t second = 1; second <= kQueueSize; ++second) odometry(second);

@@ -58,6 +58,7 @@ class Intake {
   void watchForLosses();
   void watchForTheEnd();
   void warnOfNoPair(const Counts& counts) const;
+  void warnOfTheTail() const;
   std::string expectation(const Counts& counts) const;
 
   NodeParameters parameters_;

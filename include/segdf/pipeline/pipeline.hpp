@@ -15,7 +15,9 @@ namespace segdf {
 ///
 /// Scans go in by process(), in order of time; frames come out when they leave the sliding window
 /// of key frames, in the order in which they went in, each exactly once and with a label for every
-/// point. flush() returns what is still inside. The result is a function of scans and
+/// point. flush() returns what is still inside. The filter compares a scan while the next one is
+/// segmented, in a thread of its own if there is more than one: a frame comes out one call after
+/// the scan that let it leave. The result is a function of scans and
 /// configuration: it does not depend on the number of threads, on the clock, or on how long the
 /// caller waits between scans. Where the pose jumps (input.max_jump), the window is decided as by
 /// flush() and the scan starts a new one. Memory is bounded by the window, not by the length of the

@@ -24,6 +24,9 @@ class Synchroniser : public CloudQueue {
 
   void addOdometry(const nav_msgs::OdometryConstPtr& odometry);
 
+  /// Poses of a later time among those that wait for a cloud.
+  std::size_t posesAfter(const ros::Time& stamp) const;
+
  private:
   /// Where in poses_ a cloud's pose is: one message twice, or the two around its stamp.
   struct Neighbours {

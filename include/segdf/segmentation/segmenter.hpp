@@ -28,9 +28,10 @@ struct Segmentation {
 
   /// Gives back the memory of row, column and surfaces, for when all segments are described.
   void forgetSurfaces() {
-    row = {};
-    column = {};
-    surfaces = {};
+    // Assigned empty braces, a vector would keep its memory.
+    row = std::vector<std::int32_t>();
+    column = std::vector<std::int32_t>();
+    surfaces = std::vector<Surface>();
   }
   /// Gives back that of voxels and clusters, for when no other scan is laid over this one any more.
   void forgetVoxels() {
