@@ -23,6 +23,9 @@ constexpr std::size_t kKeptProofs = 64;  // of the past: the first half, and the
 
 // Seconds of motion elsewhere in scans that found the instance here: three scans at 10 Hz.
 constexpr double kElsewhereSeconds = 0.25;
+constexpr std::size_t kManyMembers = 8;
+constexpr double kFewDynamic = 0.1;  // share of the members
+
 constexpr double kElsewhere = 2.0;  // metres: farther than views of one car differ
 constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
 
@@ -39,23 +42,34 @@ Proof proofOf(const KeyFrame& frame, std::size_t segment) {
           std::min(frame.evidence->step, kLongestStep)};
 }
 
-/// The instances in the window that the votes make dynamic so far.
-Proofs proofsIn(const Window& window, const DynamicConfig& config) {
-  Proofs proofs;
+/// What the window holds of one id.
+struct Track {
+  std::size_t members = 0;
+  std::vector<Proof> proofs;  ///< members that the votes make dynamic so far
+};
+using Tracks = std::map<std::uint32_t, Track>;
+
+Tracks tracksIn(const Window& window, const DynamicConfig& config) {
+  Tracks tracks;
   for (const KeyFrame* frame : window) {
     for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
+      Track& track = tracks[frame->instances[s].id];
+      ++track.members;
       const ObjectClass object_class = frame->seg.segments[s].object_class;
       if (!judgeVotes(frame->evidence->votes[s], object_class, config).dynamic) continue;
-      proofs[frame->instances[s].id].push_back(proofOf(*frame, s));
+      track.proofs.push_back(proofOf(*frame, s));
     }
   }
-  return proofs;
+  return tracks;
 }
 
-const std::vector<Proof>& proofsOf(const Proofs& proofs, std::uint32_t id) {
-  static const std::vector<Proof> none;
-  const auto track = proofs.find(id);
-  return track == proofs.end() ? none : track->second;
+/// True when hardly any member of the track moved, of many. A car that came and stopped is seen
+/// through from before it came for seconds, and so are many of its members.
+bool isOutvoted(const Track& track, const std::vector<Proof>& past) {
+  const std::size_t dynamic = track.proofs.size() + past.size();
+  const std::size_t members = track.members + past.size();
+  return members >= kManyMembers &&
+         static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
 
 /// Seconds over which what may be a part of something of this size was proven to move.
@@ -113,20 +127,29 @@ bool TrackBook::moves(const KeyFrame& frame,
          !standsApart(frame, s, proofs, config_);
 }
 
+std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
+  const auto track = past_.find(id);
+  if (track == past_.end()) return {};
+  const std::vector<Proof>& proofs = track->second;
+  return {proofs.begin(),
+          std::lower_bound(proofs.begin(), proofs.end(), first.index,
+                           [](const Proof& proof, std::size_t scan) { return proof.scan < scan; })};
+}
+
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
-  const Proofs present = proofsIn(window, config_);
+  const Tracks tracks = tracksIn(window, config_);
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
-    if (instance.dynamic) continue;
-    std::vector<Proof> past = proofsOf(past_, instance.id);
-    past.erase(
-        std::lower_bound(past.begin(), past.end(), window.front()->index,
-                         [](const Proof& proof, std::size_t scan) { return proof.scan < scan; }),
-        past.end());
-    if (!moves(frame, s, past, proofsOf(present, instance.id))) continue;
-    instance.dynamic = true;
-    instance.reason = Reason::kTrack;
+    const Track& track = tracks.at(instance.id);
+    const std::vector<Proof> past = pastOf(instance.id, *window.front());
+    if (instance.dynamic && isOutvoted(track, past)) {
+      instance.dynamic = false;
+      instance.reason = Reason::kRestored;
+    } else if (!instance.dynamic && moves(frame, s, past, track.proofs)) {
+      instance.dynamic = true;
+      instance.reason = Reason::kTrack;
+    }
   }
 }
 

@@ -122,6 +122,38 @@ TEST_F(TrackVote, AtTheEndOfADriveNoProofCountsTwice) {
   EXPECT_FALSE(frames_.back()->instances[0].dynamic);
 }
 
+TEST_F(TrackVote, OneMemberOfManyThatTheVotesMakeDynamicIsRestored) {
+  for (int k = 0; k < 10; ++k) addStanding(8.0, 0.1);
+  addMoving(8.0, 0.1);
+  frames_.back()->instances[0].dynamic = true;
+  EXPECT_FALSE(goes());
+  EXPECT_EQ(frames_.back()->instances[0].reason, Reason::kRestored);
+}
+
+TEST_F(TrackVote, OfFewMembersNoneIsRestored) {
+  for (int k = 0; k < 6; ++k) addStanding(8.0, 0.1);
+  addMoving(8.0, 0.1);
+  frames_.back()->instances[0].dynamic = true;
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackVote, WhatMovedBeforeTheWindowIsNotRestored) {
+  TrackBook tracks(config_);
+  for (int k = 0; k < 8; ++k) {
+    addMoving(1.0 * k, 0.1);
+    window_.back()->instances[0].dynamic = true;
+    window_.back()->instances[0].reason = Reason::kVotes;
+    tracks.note(*window_.back());
+  }
+  window_.clear();
+  addMoving(8.0, 0.1);
+  KeyFrame& last_that_moved = *frames_.back();
+  last_that_moved.instances[0].dynamic = true;
+  for (int k = 0; k < 30; ++k) addStanding(8.0, 0.1);
+  tracks.propagate(window_, 0);
+  EXPECT_TRUE(last_that_moved.instances[0].dynamic);
+}
+
 TEST_F(TrackVote, WhatLeftTheWindowIsRemembered) {
   TrackBook tracks(config_);
   for (int k = 0; k < 8; ++k) {

@@ -16,8 +16,9 @@ namespace segdf {
 /// itself found again over and over goes only when df.semi_static says that what moved at any time
 /// goes (a car that stops at lights), and its track moved for 0.75 s, in the past too, and away
 /// from here; not so where it was found again by frames in which the track moved elsewhere: then
-/// another object stands here, and the id has passed on to it. Memory: tracks that have left the
-/// window are forgotten.
+/// another object stands here, and the id has passed on to it. What the votes make dynamic is
+/// restored when hardly any of many members of its track are (compensation). Memory: tracks that
+/// have left the window are forgotten.
 class TrackBook {
  public:
   /// An instance that the votes made dynamic.
@@ -32,14 +33,16 @@ class TrackBook {
 
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
 
-  /// Makes instances of the frame dynamic by their tracks. Verdicts by votes are made for all
-  /// frames of the window; those of frames still gathering evidence count as they are.
+  /// Makes instances of the frame dynamic, or static again, by their tracks. Verdicts by votes are
+  /// made for all frames of the window; those of frames still gathering evidence count as they are.
   void propagate(const Window& window, std::size_t position);
 
   /// Notes what was decided on the frame that leaves.
   void note(const KeyFrame& frame);
 
  private:
+  /// Proofs of scans before the window's first.
+  std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;
   bool moves(const KeyFrame& frame,
              std::size_t segment,
              const std::vector<Proof>& past,
