@@ -24,6 +24,8 @@ std::string sentence(const segdf::EvidenceRow& row) {
   if (row.reason == "association") return "literal mode, by neighbours and occupancy";
   if (row.reason == "long_look")
     return "one clear look from afar in time, few to compare; " + votes;
+  if (row.reason == "restored")
+    return "was restored, since hardly another member of its track moves; " + votes;
   if (row.reason == "track") return "goes with its track, which moves; " + votes;
   if (row.reason == "split") return "split off " + std::to_string(row.parent) + ": this part moved";
   if (row.reason == "kept") return "split off " + std::to_string(row.parent) + ": this part stood";

@@ -29,6 +29,8 @@ std::string toString(Reason reason) {
       return "long_look";
     case Reason::kTrack:
       return "track";
+    case Reason::kRestored:
+      return "restored";
     case Reason::kSplit:
       return "split";
     case Reason::kKept:

@@ -92,6 +92,7 @@ FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config
   const std::vector<Point>& points = frame.scan.points;
   FrameEvidence evidence{frame.scan.stampSeconds(),
                          0.0,
+                         0.0,
                          VisibilityImage(points, frame.seg.roles, config),
                          PlaneMap(points, frame.seg.roles),
                          thinForRegistration(points, frame.seg.roles),

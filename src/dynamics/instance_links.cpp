@@ -17,6 +17,7 @@ namespace segdf {
 namespace {
 
 constexpr double kMotionGate = 2.5;     // metres from where an instance is expected
+constexpr double kPartGate = 1.0;       // the same for more or less of it than was seen before
 constexpr float kLongestMover = 19.0F;  // metres: an articulated bus
 constexpr float kHighestMover = 4.5F;   // metres
 
@@ -95,10 +96,17 @@ Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
   return frame.scan.pose * frame.seg.segments[segment].box.center.cast<double>();
 }
 
-/// Like two views of one object that can move.
-bool isAlike(const UprightBox& a, const UprightBox& b) {
-  const Eigen::Array3f larger = a.size.array().max(b.size.array());
-  return larger.x() <= kLongestMover && larger.z() <= kHighestMover && isSameSize(a.size, b.size);
+/// How far from where it is expected an instance may be taken for a segment, metres; negative:
+/// these are not two views of one object that can move. A car shows more of itself as one draws
+/// nearer: what is a part of the other must be where its motion so far leads.
+double gateOf(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
+  const Eigen::Vector3f& a = from.seg.segments[f].box.size;
+  const Eigen::Vector3f& b = to.seg.segments[t].box.size;
+  const Eigen::Array3f larger = a.array().max(b.array());
+  if (larger.x() > kLongestMover || larger.z() > kHighestMover) return -1.0;
+  if (isSameSize(a, b)) return kMotionGate;
+  const bool moved = from.instances[f].velocity.norm() > 0.0;
+  return moved && (isPartOf(a, b) || isPartOf(b, a)) ? kPartGate : -1.0;
 }
 
 struct MotionLink {
@@ -124,9 +132,7 @@ std::vector<MotionLink> motionLinks(const KeyFrame& from,
       if (to.instances[t].id != 0) continue;
       const double distance = (centerOf(to, t) - predicted).norm();
       if (distance > kMotionGate) continue;
-      if (isAlike(from.seg.segments[f].box, to.seg.segments[t].box)) {
-        links.push_back({distance, f, t});
-      }
+      if (distance <= gateOf(from, f, to, t)) links.push_back({distance, f, t});
     }
   }
   std::sort(links.begin(), links.end());

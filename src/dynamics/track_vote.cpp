@@ -13,92 +13,143 @@ namespace segdf {
 
 namespace {
 
-constexpr std::size_t kProofs = 2;
-constexpr std::size_t kStrongProofs = 8;  // outweigh that the instance stands here
-constexpr std::size_t kKeptProofs = 64;   // the latest of the past
+constexpr int kProofs = 2;
+// Seconds of proven motion that outweigh that the instance stands here: eight scans at 10 Hz. A
+// proof stands for the time since the key frame before, but for no more than a step: three are
+// asked for, however far apart key frames are.
+constexpr double kStrongSeconds = 0.75;
+constexpr double kLongestStep = 0.3;
+constexpr std::size_t kKeptProofs = 64;  // of the past: the first half, and the latest
+
+// Seconds of motion elsewhere in scans that found the instance here: three scans at 10 Hz.
+constexpr double kElsewhereSeconds = 0.25;
+constexpr std::size_t kManyMembers = 8;
+constexpr double kFewDynamic = 0.1;  // share of the members
 
 constexpr double kElsewhere = 2.0;  // metres: farther than views of one car differ
+constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
 
 using Proof = TrackBook::Proof;
 using Proofs = TrackBook::Proofs;
 
+bool isParkedHere(const KeyFrame& frame, std::size_t s, const DynamicConfig& config) {
+  return isParked(frame.evidence->votes[s], frame.seg.segments[s].points.size(), config);
+}
+
 Proof proofOf(const KeyFrame& frame, std::size_t segment) {
   const UprightBox& box = frame.seg.segments[segment].box;
-  return {frame.index, box.size, frame.scan.pose * box.center.cast<double>()};
+  return {frame.index, box.size, frame.scan.pose * box.center.cast<double>(),
+          std::min(frame.evidence->step, kLongestStep)};
 }
 
-/// The instances in the window that the votes make dynamic so far.
-Proofs proofsIn(const Window& window, const DynamicConfig& config) {
-  Proofs proofs;
+/// What the window holds of one id.
+struct Track {
+  std::size_t members = 0;
+  std::vector<Proof> proofs;  ///< members that the votes make dynamic so far
+};
+using Tracks = std::map<std::uint32_t, Track>;
+
+Tracks tracksIn(const Window& window, const DynamicConfig& config) {
+  Tracks tracks;
   for (const KeyFrame* frame : window) {
     for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      const ObjectClass object_class = frame->seg.segments[s].object_class;
-      if (!judgeVotes(frame->evidence->votes[s], object_class, config).dynamic) continue;
-      proofs[frame->instances[s].id].push_back(proofOf(*frame, s));
+      const Segment& segment = frame->seg.segments[s];
+      Track& track = tracks[frame->instances[s].id];
+      ++track.members;
+      if (!judgeVotes(frame->evidence->votes[s], segment, config).dynamic) continue;
+      track.proofs.push_back(proofOf(*frame, s));
     }
   }
-  return proofs;
+  return tracks;
 }
 
-const std::vector<Proof>& proofsOf(const Proofs& proofs, std::uint32_t id) {
-  static const std::vector<Proof> none;
-  const auto track = proofs.find(id);
-  return track == proofs.end() ? none : track->second;
+/// True when hardly any member of the track moved, of many. A car that came and stopped is seen
+/// through from before it came for seconds, and so are many of its members.
+bool isOutvoted(const Track& track, const std::vector<Proof>& past) {
+  const std::size_t dynamic = track.proofs.size() + past.size();
+  const std::size_t members = track.members + past.size();
+  return members >= kManyMembers &&
+         static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
 
-template <class Condition>
-std::size_t countProofs(const std::vector<Proof>& proofs, const Condition& condition) {
-  return static_cast<std::size_t>(std::count_if(proofs.begin(), proofs.end(), condition));
+/// Seconds over which what may be a part of something of this size was proven to move.
+double secondsOfMotion(const std::vector<Proof>& proofs, const Eigen::Vector3f& size) {
+  double seconds = 0.0;
+  for (const Proof& proof : proofs) {
+    if (isPartOf(proof.size, size)) seconds += proof.seconds;
+  }
+  return seconds;
 }
 
-/// True when frames in which the track was elsewhere found the segment here.
+/// True when something moved where no view of the instance can have its centre. Parts of what
+/// stands may seem seen through from afar, time and again from the place where the ego waits.
+bool wentAway(const std::vector<Proof>& proofs, const Proof& here) {
+  return std::any_of(proofs.begin(), proofs.end(), [&](const Proof& proof) {
+    const float room = std::max(0.0F, here.size.x() - proof.size.y()) / 2.0F;
+    return (proof.center - here.center).norm() > kAway + static_cast<double>(room);
+  });
+}
+
+/// True when scans in which the track moved elsewhere found the segment here, for long enough.
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
-                 const std::vector<Proof>& past,
-                 const std::vector<Proof>& present,
+                 const std::vector<Proof>& proofs,
                  const DynamicConfig& config) {
   const Proof here = proofOf(frame, segment);
   const double apart = std::max(kElsewhere, 0.5 * static_cast<double>(here.size.x()));
   const std::size_t points = frame.seg.segments[segment].points.size();
-  int contradictions = 0;
+  double seconds = 0.0;
   for (const PairVote& vote : frame.evidence->votes[segment]) {
     if (!isFoundAgain(vote, points, config)) continue;
-    const auto contradicts = [&](const Proof& proof) {
-      return proof.scan == vote.scan && (proof.center - here.center).norm() > apart;
-    };
-    contradictions += std::any_of(past.begin(), past.end(), contradicts) ||
-                      std::any_of(present.begin(), present.end(), contradicts);
+    const auto proof = std::find_if(proofs.begin(), proofs.end(), [&](const Proof& candidate) {
+      return candidate.scan == vote.scan && (candidate.center - here.center).norm() > apart;
+    });
+    if (proof != proofs.end()) seconds += proof->seconds;
   }
-  return contradictions >= config.keep_hits;
+  return seconds >= kElsewhereSeconds;
 }
 
 }  // namespace
 
-bool TrackBook::moves(const KeyFrame& frame, std::size_t s, const Proofs& present) const {
-  const std::uint32_t id = frame.instances[s].id;
-  const Segment& segment = frame.seg.segments[s];
-  const Eigen::Vector3f& size = segment.box.size;
-  const std::vector<Proof>& proofs = proofsOf(present, id);
-  if (!isParked(frame.evidence->votes[s], segment.points.size(), config_)) {
-    return countProofs(proofs, [&size](const Proof& proof) {
-             return isSameSize(proof.size, size);
-           }) >= kProofs;
+bool TrackBook::moves(const KeyFrame& frame,
+                      std::size_t s,
+                      const std::vector<Proof>& past,
+                      const std::vector<Proof>& present) const {
+  const Eigen::Vector3f& size = frame.seg.segments[s].box.size;
+  if (!isParkedHere(frame, s, config_)) {
+    const auto alike = [&size](const Proof& proof) { return isSameSize(proof.size, size); };
+    return std::count_if(present.begin(), present.end(), alike) >= kProofs;
   }
   if (config_.semi_static != SemiStatic::kRemove) return false;
-  const auto part = [&size](const Proof& proof) { return isPartOf(proof.size, size); };
-  const std::vector<Proof>& past = proofsOf(past_, id);
-  if (countProofs(past, part) + countProofs(proofs, part) < kStrongProofs) return false;
-  return !standsApart(frame, s, past, proofs, config_);
+  std::vector<Proof> proofs = past;
+  proofs.insert(proofs.end(), present.begin(), present.end());
+  return secondsOfMotion(proofs, size) >= kStrongSeconds && wentAway(proofs, proofOf(frame, s)) &&
+         !standsApart(frame, s, proofs, config_);
+}
+
+std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
+  const auto track = past_.find(id);
+  if (track == past_.end()) return {};
+  const std::vector<Proof>& proofs = track->second;
+  return {proofs.begin(),
+          std::lower_bound(proofs.begin(), proofs.end(), first.index,
+                           [](const Proof& proof, std::size_t scan) { return proof.scan < scan; })};
 }
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
-  const Proofs present = proofsIn(window, config_);
+  const Tracks tracks = tracksIn(window, config_);
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
-    if (instance.dynamic || !moves(frame, s, present)) continue;
-    instance.dynamic = true;
-    instance.reason = Reason::kTrack;
+    const Track& track = tracks.at(instance.id);
+    const std::vector<Proof> past = pastOf(instance.id, *window.front());
+    if (instance.dynamic && isOutvoted(track, past)) {
+      instance.dynamic = false;
+      instance.reason = Reason::kRestored;
+    } else if (!instance.dynamic && moves(frame, s, past, track.proofs)) {
+      instance.dynamic = true;
+      instance.reason = Reason::kTrack;
+    }
   }
 }
 
@@ -109,7 +160,7 @@ void TrackBook::note(const KeyFrame& frame) {
     seen.insert(instance.id);
     if (!instance.dynamic || instance.reason != Reason::kVotes) continue;
     std::vector<Proof>& proofs = past_[instance.id];
-    if (proofs.size() == kKeptProofs) proofs.erase(proofs.begin());
+    if (proofs.size() == kKeptProofs) proofs.erase(proofs.begin() + kKeptProofs / 2);
     proofs.push_back(proofOf(frame, s));
   }
   for (auto track = past_.begin(); track != past_.end();) {

@@ -79,5 +79,33 @@ TEST_F(FusionTest, WithoutFusionOneHalfInheritsTheIdAndTheOtherGetsANewOne) {
   EXPECT_TRUE(left == whole || right == whole);
 }
 
+/// A car of which only the rear end is seen, and 0.3 s later all of it.
+class GrowingCarTest : public ::testing::Test {
+ protected:
+  /// @param speed it was seen to have, m/s. @return whether it keeps its id
+  bool keepsItsId(double speed) {
+    test::BoxWorld rear;
+    rear.add(14.0, 8.0, 1.5, 1.8, 1.5);
+    test::BoxWorld whole;
+    whole.add(18.5, 8.0, 4.2, 1.8, 1.5);
+    const std::unique_ptr<KeyFrame> from = makeKeyFrame(rear.scan(0.0, 0.0, 0.0, 1), config_);
+    const std::unique_ptr<KeyFrame> to =
+        makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 300000001), config_);
+    IdSource ids;
+    for (Instance& instance : from->instances) instance.id = ids.next();
+    Instance& car = from->instances[segmentAt(*from, 14.0, 8.0)];
+    car.velocity.x() = speed;
+    const CurvedGrid grid(config_.cvi, config_.input.min_range);
+    passOnIds(*from, *to, overlapSegments(*from, *to, grid, 1), config_.df, ids);
+    return to->instances[segmentAt(*to, 18.5, 8.0)].id == car.id;
+  }
+
+  Config config_;
+};
+
+TEST_F(GrowingCarTest, KeepsItsIdWhereItsMotionLeads) { EXPECT_TRUE(keepsItsId(15.0)); }
+
+TEST_F(GrowingCarTest, IsAnotherWhereItsMotionDoesNotLead) { EXPECT_FALSE(keepsItsId(8.0)); }
+
 }  // namespace
 }  // namespace segdf

@@ -31,12 +31,14 @@ enum class Reason : std::uint8_t {
   kVotes,        ///< enough, or not enough, frames saw through it
   kLongLook,     ///< one clear vote where there are few (the ends of a drive)
   kTrack,        ///< its track moves
+  kRestored,     ///< the votes made it dynamic, but hardly any other member of its track
   kSplit,        ///< the moved part of a standing instance
   kKept,         ///< the standing part of a moved instance
 };
-constexpr std::size_t kReasons = 7;
+constexpr std::size_t kReasons = 8;
 
-/// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "split", "kept".
+/// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "restored",
+/// "split", "kept".
 std::string toString(Reason reason);
 
 /// What another key frame says of an instance.

@@ -39,6 +39,7 @@ struct PairVote {
 struct FrameEvidence {
   double time = 0.0;  ///< seconds
   double way = 0.0;   ///< length of the path up to here, metres
+  double step = 0.0;  ///< seconds since the key frame before
   VisibilityImage image;
   PlaneMap planes;
   std::vector<Eigen::Vector3f> registration_points;

@@ -12,11 +12,13 @@
 namespace segdf {
 
 /// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic
-/// when its track was proven to move: by at least two members of its size in the window, unless the
-/// instance itself was found again over and over, or by many members, in the past too, and
-/// df.semi_static says that what moved at any time goes (a car that stops at lights); not so where
-/// it was found again by frames in which the track moved elsewhere: then another object stands
-/// here, and the id has passed on to it. Memory: tracks that have left the window are forgotten.
+/// when its track was proven to move: by at least two members of its size in the window. What was
+/// itself found again over and over goes only when df.semi_static says that what moved at any time
+/// goes (a car that stops at lights), and its track moved for 0.75 s, in the past too, and away
+/// from here; not so where it was found again by frames in which the track moved elsewhere: then
+/// another object stands here, and the id has passed on to it. What the votes make dynamic is
+/// restored when hardly any of many members of its track are (compensation). Memory: tracks that
+/// have left the window are forgotten.
 class TrackBook {
  public:
   /// An instance that the votes made dynamic.
@@ -24,21 +26,27 @@ class TrackBook {
     std::size_t scan = 0;                              ///< running number
     Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
+    double seconds = 0.0;                              ///< of motion that it stands for
   };
   /// By id; those of one id in the order of their scans.
   using Proofs = std::map<std::uint32_t, std::vector<Proof>>;
 
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
 
-  /// Makes instances of the frame dynamic by their tracks. Verdicts by votes are made for all
-  /// frames of the window; those of frames still gathering evidence count as they are.
+  /// Makes instances of the frame dynamic, or static again, by their tracks. Verdicts by votes are
+  /// made for all frames of the window; those of frames still gathering evidence count as they are.
   void propagate(const Window& window, std::size_t position);
 
   /// Notes what was decided on the frame that leaves.
   void note(const KeyFrame& frame);
 
  private:
-  bool moves(const KeyFrame& frame, std::size_t segment, const Proofs& present) const;
+  /// Proofs of scans before the window's first.
+  std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;
+  bool moves(const KeyFrame& frame,
+             std::size_t segment,
+             const std::vector<Proof>& past,
+             const std::vector<Proof>& present) const;
 
   DynamicConfig config_;
   Proofs past_;  ///< of tracks that the last frame had

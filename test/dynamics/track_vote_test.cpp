@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/track_vote.hpp"
+
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "segdf/dynamics/evidence.hpp"
+
+namespace segdf {
+namespace {
+
+constexpr std::uint32_t kPoints = 20;
+const Eigen::Vector3f kCar(4.2F, 1.8F, 1.5F);
+
+/// Key frames with one instance each, all of one id, and with what others are said to have seen.
+class TrackVote : public ::testing::Test {
+ protected:
+  KeyFrame& add(double x, const Eigen::Vector3f& size, double step) {
+    auto frame = std::make_unique<KeyFrame>();
+    frame->index = frames_.size();
+    Segment segment;
+    segment.points.resize(kPoints);
+    segment.object_class = ObjectClass::kHighMobility;
+    segment.box.center.x() = static_cast<float>(x);
+    segment.box.size = size;
+    frame->seg.segments.push_back(segment);
+    frame->instances.resize(1);
+    frame->instances[0].id = 7;
+    frame->evidence = std::make_shared<FrameEvidence>(prepareEvidence(KeyFrame{}, config_));
+    frame->evidence->step = step;
+    frame->evidence->votes.resize(1);
+    window_.push_back(frame.get());
+    frames_.push_back(std::move(frame));
+    return *frames_.back();
+  }
+
+  /// Three frames saw through it.
+  void addMoving(double x, double step, const Eigen::Vector3f& size = kCar) {
+    KeyFrame& frame = add(x, size, step);
+    frame.evidence->votes[0].assign(3, {0, 0.3F, kPoints, 0, true});
+  }
+
+  /// Three frames a second away found it again. @param scan of the first of these
+  KeyFrame& addStanding(double x, double step, std::size_t scan = 100) {
+    KeyFrame& frame = add(x, kCar, step);
+    for (std::size_t k = 0; k < 3; ++k) {
+      frame.evidence->votes[0].push_back({scan + k, 1.0F, 0, kPoints, true});
+    }
+    return frame;
+  }
+
+  /// The verdict by track on the newest frame.
+  bool goes() {
+    TrackBook(config_).propagate(window_, window_.size() - 1);
+    return frames_.back()->instances[0].dynamic;
+  }
+
+  DynamicConfig config_;
+  std::vector<std::unique_ptr<KeyFrame>> frames_;
+  Window window_;
+};
+
+TEST_F(TrackVote, WhatStoppedGoesAfterThreeQuartersOfASecondOfMotionAtTenHertz) {
+  for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
+  addStanding(8.0, 0.1);
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackVote, LessMotionDoesNotOutweighThatItStands) {
+  for (int k = 0; k < 7; ++k) addMoving(1.0 * k, 0.1);
+  addStanding(8.0, 0.1);
+  EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackVote, ThreeKeyFramesByWayAreAsGoodAsEightScans) {
+  for (int k = 0; k < 3; ++k) addMoving(3.0 * k, 0.3);
+  addStanding(9.0, 0.3);
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackVote, TwoAreNeverEnoughHoweverFarApart) {
+  for (int k = 0; k < 2; ++k) addMoving(3.0 * k, 5.0);
+  addStanding(9.0, 5.0);
+  EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackVote, WhatSeemsToMoveWhereItStandsIsAViewOfIt) {
+  const Eigen::Vector3f bumper(1.8F, 0.4F, 0.5F);
+  for (int k = 0; k < 20; ++k) addMoving(10.3, 0.1, bumper);
+  addStanding(8.0, 0.1);
+  EXPECT_FALSE(goes());
+  addMoving(11.5, 0.1, bumper);  // 1.2 m beyond where the bumper of this one can be
+  addStanding(8.0, 0.1);
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackVote, WhatWasFoundHereWhileTheTrackMovedElsewhereIsAnotherObject) {
+  for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
+  addStanding(8.0, 0.1, 2);
+  EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackVote, OfKeyFramesFarApartOneSuchScanSays) {
+  for (int k = 0; k < 3; ++k) addMoving(3.0 * k, 0.3);
+  addStanding(9.0, 0.3, 2);
+  EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackVote, AtTheEndOfADriveNoProofCountsTwice) {
+  for (int k = 0; k < 4; ++k) addMoving(2.0 * k, 0.1);
+  addStanding(8.0, 0.1);
+  TrackBook tracks(config_);
+  for (std::size_t k = 0; k + 1 < window_.size(); ++k) {
+    window_[k]->instances[0].dynamic = true;
+    window_[k]->instances[0].reason = Reason::kVotes;
+    tracks.propagate(window_, k);
+    tracks.note(*window_[k]);
+  }
+  tracks.propagate(window_, window_.size() - 1);
+  EXPECT_FALSE(frames_.back()->instances[0].dynamic);
+}
+
+TEST_F(TrackVote, OneMemberOfManyThatTheVotesMakeDynamicIsRestored) {
+  for (int k = 0; k < 10; ++k) addStanding(8.0, 0.1);
+  addMoving(8.0, 0.1);
+  frames_.back()->instances[0].dynamic = true;
+  EXPECT_FALSE(goes());
+  EXPECT_EQ(frames_.back()->instances[0].reason, Reason::kRestored);
+}
+
+TEST_F(TrackVote, OfFewMembersNoneIsRestored) {
+  for (int k = 0; k < 6; ++k) addStanding(8.0, 0.1);
+  addMoving(8.0, 0.1);
+  frames_.back()->instances[0].dynamic = true;
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackVote, WhatMovedBeforeTheWindowIsNotRestored) {
+  TrackBook tracks(config_);
+  for (int k = 0; k < 8; ++k) {
+    addMoving(1.0 * k, 0.1);
+    window_.back()->instances[0].dynamic = true;
+    window_.back()->instances[0].reason = Reason::kVotes;
+    tracks.note(*window_.back());
+  }
+  window_.clear();
+  addMoving(8.0, 0.1);
+  KeyFrame& last_that_moved = *frames_.back();
+  last_that_moved.instances[0].dynamic = true;
+  for (int k = 0; k < 30; ++k) addStanding(8.0, 0.1);
+  tracks.propagate(window_, 0);
+  EXPECT_TRUE(last_that_moved.instances[0].dynamic);
+}
+
+TEST_F(TrackVote, WhatLeftTheWindowIsRemembered) {
+  TrackBook tracks(config_);
+  for (int k = 0; k < 8; ++k) {
+    addMoving(1.0 * k, 0.1);
+    window_.back()->instances[0].dynamic = true;
+    window_.back()->instances[0].reason = Reason::kVotes;
+    tracks.note(*window_.back());
+  }
+  window_.clear();
+  addStanding(8.0, 0.1);
+  tracks.propagate(window_, 0);
+  EXPECT_TRUE(frames_.back()->instances[0].dynamic);
+}
+
+}  // namespace
+}  // namespace segdf
