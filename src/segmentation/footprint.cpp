@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/segmentation/footprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace segdf {
+
+namespace {
+
+constexpr float kPi = 3.14159265F;
+
+}  // namespace
+
+Footprint::Footprint() {
+  low_.fill(std::numeric_limits<float>::infinity());
+  high_.fill(-std::numeric_limits<float>::infinity());
+}
+
+void Footprint::add(float x, float y) {
+  static const auto kAxes = [] {
+    std::array<std::array<float, 2>, kDirections> axes{};
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      const float angle = kPi * static_cast<float>(k) / static_cast<float>(kDirections);
+      axes[k] = {std::cos(angle), std::sin(angle)};
+    }
+    return axes;
+  }();
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    const float along = kAxes[k][0] * x + kAxes[k][1] * y;
+    low_[k] = std::min(low_[k], along);
+    high_[k] = std::max(high_[k], along);
+  }
+}
+
+std::size_t Footprint::longest() const {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < kDirections; ++k) {
+    if (extent(k) > extent(best)) best = k;
+  }
+  return best;
+}
+
+}  // namespace segdf
