@@ -170,6 +170,26 @@ class Carver {
     if (isFlanked(piece, i, side)) ++border.flanked;
   }
 
+  void addTop(const Piece& piece, std::uint32_t i, Border& border) {
+    const int row = image_.rowOf(i);
+    const int column = image_.columnOf(i);
+    if (height_[i] < kChest) return;
+    for (int up = 1; up <= kBorderReach; ++up) {
+      if (inPiece(piece, image_.at(row - up, column))) return;
+    }
+    ++border.upper;
+    for (int up = 1; row - up >= 0; ++up) {
+      const std::int32_t j = image_.at(row - up, column);
+      if (j == RangeImage::kNone) continue;
+      if (height_[j] > height_[i] + kFlankReach) return;
+      if (!sameCluster(piece.root, j)) continue;
+      if (std::abs(image_.rangeOf(static_cast<std::size_t>(j)) - image_.rangeOf(i)) < kFlankDepth) {
+        ++border.flanked;
+        return;
+      }
+    }
+  }
+
   bool isFlanked(const Piece& piece, std::uint32_t i, int side) {
     const float width = image_.rangeOf(i) * kTurn / static_cast<float>(image_.columns());
     const int reach = std::max(1, static_cast<int>(kFlankReach / width));
@@ -189,6 +209,7 @@ class Carver {
       if (image_.at(image_.rowOf(i), image_.columnOf(i)) != static_cast<std::int32_t>(i)) continue;
       addBorder(piece, i, -1, border);
       addBorder(piece, i, 1, border);
+      addTop(piece, i, border);
     }
     return border;
   }
