@@ -5,7 +5,7 @@ namespace segdf {
 
 /// Carving of persons off the clusters that hold them (docs/segmentation.md, "Carving").
 struct CarveConfig {
-  double jump = 0.08;
+  double jump = 0.06;
   int min_points = 30;
   double top_min = 1.3;
   double top_max = 2.1;
@@ -13,7 +13,7 @@ struct CarveConfig {
   double length_min = 0.3;
   double length_max = 1.1;
   double hidden = 0.3;
-  double flanked = 0.2;
+  double flanked = 0.3;
   double flanked_large = 0.5;
 
   template <class Self, class Visitor>
