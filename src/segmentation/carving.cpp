@@ -17,8 +17,8 @@ namespace segdf {
 namespace {
 
 constexpr float kTurn = 6.28318531F;
-// As the classes have it (classifier.cpp): one cyclist, and the greatest single vehicle.
-constexpr float kCyclistLength = 2.3F;
+// A cyclist with what is close behind, and the greatest single vehicle.
+constexpr float kCyclistLength = 3.5F;
 constexpr float kCyclistWidth = 1.1F;
 constexpr float kVehicleLength = 13.0F;
 constexpr float kVehicleWidth = 2.9F;
@@ -133,10 +133,11 @@ class Carver {
       high = std::max(high, height_[i]);
     }
     const auto length = static_cast<double>(footprint.length());
+    const auto width = static_cast<double>(footprint.width());
     const auto top = static_cast<double>(high);
     return top >= config_.top_min && top <= config_.top_max &&
            static_cast<double>(high - low) >= config_.height && length >= config_.length_min &&
-           length <= config_.length_max;
+           length <= config_.length_max && width <= config_.width_max;
   }
 
   /// The next point to the side, kNone when there is none near or it is of the same piece.
@@ -220,7 +221,9 @@ class Carver {
     const auto share = [](std::size_t part, double limit, std::size_t whole) {
       return static_cast<double>(part) <= limit * static_cast<double>(whole);
     };
-    return share(border.hidden, config_.hidden, border.all) &&
+    const bool open = static_cast<double>(border.all) >=
+                      config_.open * static_cast<double>(piece.points.size());
+    return open && share(border.hidden, config_.hidden, border.all) &&
            share(border.flanked, flanked, border.upper);
   }
 
