@@ -2,7 +2,6 @@
 #include "segdf/segmentation/carving.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,32 +9,199 @@
 #include <utility>
 
 #include "segdf/segmentation/footprint.hpp"
-#include "segdf/segmentation/union_find.hpp"
+#include "segdf/segmentation/image_pieces.hpp"
 
 namespace segdf {
 
 namespace {
 
 constexpr float kTurn = 6.28318531F;
-// A cyclist with what is close behind, and the greatest single vehicle.
+// A cyclist with what is close behind, and the greatest single vehicle, metres.
 constexpr float kCyclistLength = 3.5F;
 constexpr float kCyclistWidth = 1.1F;
 constexpr float kVehicleLength = 13.0F;
 constexpr float kVehicleWidth = 2.9F;
-// Chairs, tables and hedges end below a person's chest.
+// Chairs, tables and low hedges end below this height, metres.
 constexpr float kChest = 1.0F;
-// More of the cluster beside a piece: within this to the side, metres, and in range.
+// A cluster goes on beside or above a piece when more of it is within this to the side, and in
+// range, metres.
 constexpr float kFlankReach = 0.5F;
 constexpr float kFlankDepth = 0.2F;
-// Columns looked across for what borders on a piece: every other one may be without return.
-constexpr int kBorderReach = 2;
+// Fragments that belong to a piece stand out of its footprint, and over its top, by less, metres.
+constexpr float kMargin = 0.1F;
 
-/// What a cluster falls into.
-struct Piece {
-  std::uint32_t root = 0;
-  std::int32_t cluster = 0;
-  std::vector<std::uint32_t> points;  ///< ascending
+/// Horizontal and vertical extent of a piece, metres.
+struct Extent {
+  Footprint footprint;
+  float low = std::numeric_limits<float>::infinity();
+  float high = -std::numeric_limits<float>::infinity();
 };
+
+/// What a piece borders on.
+struct Border {
+  std::size_t sides = 0;    ///< points at its left and right border
+  std::size_t hidden = 0;   ///< those that lie behind what is beside them
+  std::size_t upper = 0;    ///< points at its border from the chest up, its top included
+  std::size_t flanked = 0;  ///< those beyond which its cluster goes on
+};
+
+/// Measures the border of one piece.
+class BorderWalk {
+ public:
+  BorderWalk(const RangeImage& image,
+             const std::vector<float>& height,
+             const std::vector<std::int32_t>& cluster,
+             const ImagePieces& pieces,
+             const ImagePiece& piece,
+             float jump)
+      : image_(image),
+        height_(height),
+        cluster_(cluster),
+        pieces_(pieces),
+        piece_(piece),
+        jump_(jump) {}
+
+  Border walk() {
+    for (std::uint32_t i : piece_.points) {
+      // Of several points in one cell the image shows one.
+      if (image_.at(image_.rowOf(i), image_.columnOf(i)) != static_cast<std::int32_t>(i)) continue;
+      addSide(i, -1);
+      addSide(i, 1);
+      addTop(i);
+    }
+    return border_;
+  }
+
+ private:
+  /// First point within reach in a direction, kNone when there is none.
+  std::int32_t neighbour(std::uint32_t i, int down, int right) const {
+    std::int32_t found = RangeImage::kNone;
+    for (int step = 1; step <= ImagePieces::kReach && found == RangeImage::kNone; ++step) {
+      found = image_.at(image_.rowOf(i) + down * step, image_.columnOf(i) + right * step);
+    }
+    return found;
+  }
+
+  void addSide(std::uint32_t i, int right) {
+    const std::int32_t next = neighbour(i, 0, right);
+    if (pieces_.contains(piece_, next)) return;
+    ++border_.sides;
+    if (next != RangeImage::kNone &&
+        image_.rangeOf(static_cast<std::size_t>(next)) < image_.rangeOf(i) - jump_) {
+      ++border_.hidden;
+    }
+    if (height_[i] >= kChest) addUpper(goesOnBeside(i, right));
+  }
+
+  void addTop(std::uint32_t i) {
+    if (height_[i] < kChest || pieces_.contains(piece_, neighbour(i, -1, 0))) return;
+    addUpper(goesOnAbove(i));
+  }
+
+  void addUpper(bool flanked) {
+    ++border_.upper;
+    border_.flanked += flanked ? 1 : 0;
+  }
+
+  bool goesOnBeside(std::uint32_t i, int right) const {
+    const float step = image_.rangeOf(i) * kTurn / static_cast<float>(image_.columns());
+    const int reach = std::max(1, static_cast<int>(kFlankReach / step));
+    for (int k = 1; k <= reach; ++k) {
+      if (goesOnAt(i, image_.at(image_.rowOf(i), image_.columnOf(i) + right * k))) return true;
+    }
+    return false;
+  }
+
+  bool goesOnAbove(std::uint32_t i) const {
+    for (int row = image_.rowOf(i) - 1; row >= 0; --row) {
+      const std::int32_t j = image_.at(row, image_.columnOf(i));
+      if (j == RangeImage::kNone) continue;
+      if (height_[static_cast<std::size_t>(j)] > height_[i] + kFlankReach) return false;
+      if (goesOnAt(i, j)) return true;
+    }
+    return false;
+  }
+
+  bool goesOnAt(std::uint32_t i, std::int32_t other) const {
+    if (other == RangeImage::kNone || pieces_.contains(piece_, other)) return false;
+    const auto j = static_cast<std::size_t>(other);
+    return cluster_[j] == piece_.cluster &&
+           std::abs(image_.rangeOf(j) - image_.rangeOf(i)) < kFlankDepth;
+  }
+
+  const RangeImage& image_;
+  const std::vector<float>& height_;
+  const std::vector<std::int32_t>& cluster_;
+  const ImagePieces& pieces_;
+  const ImagePiece& piece_;
+  float jump_;
+  Border border_;
+};
+
+std::vector<std::int32_t> clusterOfPoints(std::size_t points,
+                                          const CurvedVoxels& voxels,
+                                          const Clusters& clusters) {
+  std::vector<std::int32_t> cluster(points, Clusters::kNoise);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+      cluster[voxels.points[k]] = clusters.of_voxel[v];
+    }
+  }
+  return cluster;
+}
+
+/// The most frequent value of the voxel's points, of equally frequent ones the smallest.
+std::int32_t majority(const CurvedVoxels& voxels,
+                      std::size_t voxel,
+                      const std::vector<std::int32_t>& cluster,
+                      std::vector<std::int32_t>& scratch) {
+  scratch.clear();
+  for (std::uint32_t k = voxels.begin[voxel]; k < voxels.begin[voxel + 1]; ++k) {
+    scratch.push_back(cluster[voxels.points[k]]);
+  }
+  std::sort(scratch.begin(), scratch.end());
+  std::int32_t best = scratch.front();
+  std::ptrdiff_t most = 0;
+  for (auto run = scratch.begin(); run != scratch.end();) {
+    const auto end = std::upper_bound(run, scratch.end(), *run);
+    if (end - run > most) {
+      most = end - run;
+      best = *run;
+    }
+    run = end;
+  }
+  return best;
+}
+
+void assignVoxels(const CurvedVoxels& voxels,
+                  const std::vector<std::int32_t>& cluster,
+                  Clusters& clusters) {
+  std::vector<std::int32_t> scratch;
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (clusters.of_voxel[v] == Clusters::kNoise) continue;
+    clusters.of_voxel[v] = majority(voxels, v, cluster, scratch);
+  }
+}
+
+/// Makes noise of clusters with fewer points, and closes the gaps in their numbers.
+void dropSmall(const CurvedVoxels& voxels,
+               std::uint32_t n_noise,
+               std::size_t count,
+               Clusters& clusters) {
+  std::vector<std::uint32_t> size(count, 0);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    const std::int32_t c = clusters.of_voxel[v];
+    if (c != Clusters::kNoise) size[static_cast<std::size_t>(c)] += voxels.count(v);
+  }
+  std::vector<std::int32_t> number(count, Clusters::kNoise);
+  clusters.count = 0;
+  for (std::size_t c = 0; c < count; ++c) {
+    if (size[c] >= n_noise) number[c] = static_cast<std::int32_t>(clusters.count++);
+  }
+  for (std::int32_t& c : clusters.of_voxel) {
+    if (c != Clusters::kNoise) c = number[static_cast<std::size_t>(c)];
+  }
+}
 
 class Carver {
  public:
@@ -43,250 +209,110 @@ class Carver {
          const RangeImage& image,
          const std::vector<float>& height,
          const CarveConfig& config,
-         const CurvedVoxels& voxels,
-         Clusters& clusters)
+         std::vector<std::int32_t>& cluster)
       : points_(points),
         image_(image),
         height_(height),
         config_(config),
-        voxels_(voxels),
-        clusters_(clusters),
-        cluster_(points.size(), Clusters::kNoise),
-        pieces_(points.size()) {
-    for (std::size_t v = 0; v < voxels.size(); ++v) {
-      for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
-        cluster_[voxels.points[k]] = clusters.of_voxel[v];
-      }
-    }
-  }
+        cluster_(cluster),
+        pieces_(image, cluster, static_cast<float>(config.jump)) {}
 
-  void carve() {
-    connect();
-    std::vector<Piece> persons;
-    for (Piece& piece : largePieces()) {
-      if (isPerson(piece) ) persons.push_back(std::move(piece));
+  /// Gives what is carved numbers from `count` on. @returns how many there are then
+  std::size_t carve(std::size_t count) {
+    std::vector<ImagePiece> candidates =
+        pieces_.largerThan(static_cast<std::uint32_t>(config_.min_points));
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [this](const ImagePiece& p) { return !hasSize(p); }),
+                     candidates.end());
+    const std::vector<ImagePiece> carved = chooseFree(candidates, count);
+    std::vector<std::int32_t> result = cluster_;
+    for (const ImagePiece& piece : carved) {
+      take(piece, static_cast<std::int32_t>(count++), result);
     }
-    assign(choose(persons));
+    cluster_ = std::move(result);
+    return count;
   }
 
  private:
-  bool sameCluster(std::uint32_t a, std::int32_t b) const {
-    return b != RangeImage::kNone && cluster_[static_cast<std::size_t>(b)] == cluster_[a];
-  }
-
-  void uniteIfNear(std::uint32_t a, std::int32_t b) {
-    if (!sameCluster(a, b)) return;
-    const auto other = static_cast<std::uint32_t>(b);
-    const auto jump = static_cast<float>(config_.jump);
-    if (std::abs(image_.rangeOf(a) - image_.rangeOf(other)) < jump) pieces_.unite(a, other);
-  }
-
-  void connect() {
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (cluster_[i] == Clusters::kNoise) continue;
-      const int row = image_.rowOf(i);
-      const int column = image_.columnOf(i);
-      // Of several points in one cell the image holds one.
-      uniteIfNear(i, image_.at(row, column));
-      for (int right = 1; right <= kBorderReach; ++right) uniteIfNear(i, image_.at(row, column + right));
-      for (int right = -kBorderReach; right <= kBorderReach; ++right) {
-        uniteIfNear(i, image_.at(row + 1, column + right));
-      }
-    }
-  }
-
-  /// Pieces of enough points that are not the whole cluster, by smallest point.
-  std::vector<Piece> largePieces() {
-    std::vector<std::uint32_t> size(points_.size(), 0);
-    std::vector<std::uint32_t> cluster_size(clusters_.count, 0);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (cluster_[i] == Clusters::kNoise) continue;
-      ++size[pieces_.find(i)];
-      ++cluster_size[static_cast<std::size_t>(cluster_[i])];
-    }
-    std::vector<Piece> large;
-    constexpr std::uint32_t kSmall = ~0U;
-    std::vector<std::uint32_t> number(points_.size(), kSmall);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (cluster_[i] == Clusters::kNoise) continue;
-      const std::uint32_t root = pieces_.find(i);
-      const auto cluster = static_cast<std::size_t>(cluster_[i]);
-      if (size[root] < static_cast<std::uint32_t>(config_.min_points)) continue;
-      if (size[root] == cluster_size[cluster]) continue;
-      if (number[root] == kSmall) {
-        number[root] = static_cast<std::uint32_t>(large.size());
-        large.push_back({root, cluster_[i], {}});
-        large.back().points.reserve(size[root]);
-      }
-      large[number[root]].points.push_back(i);
-    }
-    return large;
-  }
-
-  bool isPerson(const Piece& piece) const {
-    Footprint footprint;
-    float low = std::numeric_limits<float>::infinity();
-    float high = -low;
+  Extent extentOf(const ImagePiece& piece) const {
+    Extent extent;
     for (std::uint32_t i : piece.points) {
-      footprint.add(points_[i].x, points_[i].y);
-      low = std::min(low, height_[i]);
-      high = std::max(high, height_[i]);
+      extent.footprint.add(points_[i].x, points_[i].y);
+      extent.low = std::min(extent.low, height_[i]);
+      extent.high = std::max(extent.high, height_[i]);
     }
-    const auto length = static_cast<double>(footprint.length());
-    const auto width = static_cast<double>(footprint.width());
-    const auto top = static_cast<double>(high);
+    return extent;
+  }
+
+  bool hasSize(const ImagePiece& piece) const {
+    const Extent extent = extentOf(piece);
+    const auto top = static_cast<double>(extent.high);
+    const auto length = static_cast<double>(extent.footprint.length());
+    const auto width = static_cast<double>(extent.footprint.width());
     return top >= config_.top_min && top <= config_.top_max &&
-           static_cast<double>(high - low) >= config_.height && length >= config_.length_min &&
-           length <= config_.length_max && width <= config_.width_max;
+           static_cast<double>(extent.high - extent.low) >= config_.height &&
+           length >= config_.length_min && length <= config_.length_max &&
+           width <= config_.width_max;
   }
 
-  /// The next point to the side, kNone when there is none near or it is of the same piece.
-  struct Border {
-    std::size_t all = 0;
-    std::size_t hidden = 0;
-    std::size_t upper = 0;
-    std::size_t flanked = 0;
-  };
-
-  bool inPiece(const Piece& piece, std::int32_t point) {
-    return sameCluster(piece.root, point) &&
-           pieces_.find(static_cast<std::uint32_t>(point)) == piece.root;
+  /// Footprints of the clusters that hold a candidate; the others' stay empty.
+  std::vector<Footprint> footprintsOf(const std::vector<ImagePiece>& candidates,
+                                      std::size_t clusters) const {
+    std::vector<std::uint8_t> wanted(clusters, 0);
+    for (const ImagePiece& p : candidates) wanted[static_cast<std::size_t>(p.cluster)] = 1;
+    std::vector<Footprint> footprints(clusters);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (cluster_[i] == Clusters::kNoise) continue;
+      const auto c = static_cast<std::size_t>(cluster_[i]);
+      if (wanted[c] != 0) footprints[c].add(points_[i].x, points_[i].y);
+    }
+    return footprints;
   }
 
-  void addBorder(const Piece& piece, std::uint32_t i, int side, Border& border) {
-    const int row = image_.rowOf(i);
-    const int column = image_.columnOf(i);
-    std::int32_t next = RangeImage::kNone;
-    for (int step = 1; step <= kBorderReach && next == RangeImage::kNone; ++step) {
-      next = image_.at(row, column + side * step);
-    }
-    if (inPiece(piece, next)) return;
-    ++border.all;
-    if (next != RangeImage::kNone && image_.rangeOf(static_cast<std::size_t>(next)) <
-                                         image_.rangeOf(i) - static_cast<float>(config_.jump)) {
-      ++border.hidden;
-    }
-    if (height_[i] < kChest) return;
-    ++border.upper;
-    if (isFlanked(piece, i, side)) ++border.flanked;
-  }
-
-  void addTop(const Piece& piece, std::uint32_t i, Border& border) {
-    const int row = image_.rowOf(i);
-    const int column = image_.columnOf(i);
-    if (height_[i] < kChest) return;
-    for (int up = 1; up <= kBorderReach; ++up) {
-      if (inPiece(piece, image_.at(row - up, column))) return;
-    }
-    ++border.upper;
-    for (int up = 1; row - up >= 0; ++up) {
-      const std::int32_t j = image_.at(row - up, column);
-      if (j == RangeImage::kNone) continue;
-      if (height_[j] > height_[i] + kFlankReach) return;
-      if (!sameCluster(piece.root, j)) continue;
-      if (std::abs(image_.rangeOf(static_cast<std::size_t>(j)) - image_.rangeOf(i)) < kFlankDepth) {
-        ++border.flanked;
-        return;
-      }
-    }
-  }
-
-  bool isFlanked(const Piece& piece, std::uint32_t i, int side) {
-    const float width = image_.rangeOf(i) * kTurn / static_cast<float>(image_.columns());
-    const int reach = std::max(1, static_cast<int>(kFlankReach / width));
-    for (int step = 1; step <= reach; ++step) {
-      const std::int32_t j = image_.at(image_.rowOf(i), image_.columnOf(i) + side * step);
-      if (!sameCluster(piece.root, j) || inPiece(piece, j)) continue;
-      if (std::abs(image_.rangeOf(static_cast<std::size_t>(j)) - image_.rangeOf(i)) < kFlankDepth) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  Border borderOf(const Piece& piece) {
-    Border border;
-    for (std::uint32_t i : piece.points) {
-      if (image_.at(image_.rowOf(i), image_.columnOf(i)) != static_cast<std::int32_t>(i)) continue;
-      addBorder(piece, i, -1, border);
-      addBorder(piece, i, 1, border);
-      addTop(piece, i, border);
-    }
-    return border;
-  }
-
-  bool isFree(const Piece& piece, bool beyond_vehicle) {
-    const Border border = borderOf(piece);
-    const double flanked = beyond_vehicle ? config_.flanked_large : config_.flanked;
-    const auto share = [](std::size_t part, double limit, std::size_t whole) {
-      return static_cast<double>(part) <= limit * static_cast<double>(whole);
-    };
-    const bool open = static_cast<double>(border.all) >=
-                      config_.open * static_cast<double>(piece.points.size());
-    return open && share(border.hidden, config_.hidden, border.all) &&
-           share(border.flanked, flanked, border.upper);
-  }
-
-  std::vector<Piece> choose(std::vector<Piece>& persons) {
-    std::vector<Footprint> footprints(clusters_.count);
-    std::vector<std::size_t> seen(clusters_.count, 0);
-    for (const Piece& p : persons) ++seen[static_cast<std::size_t>(p.cluster)];
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (cluster_[i] == Clusters::kNoise || seen[static_cast<std::size_t>(cluster_[i])] == 0) continue;
-      footprints[static_cast<std::size_t>(cluster_[i])].add(points_[i].x, points_[i].y);
-    }
-    std::vector<Piece> chosen;
-    std::vector<std::size_t> first(clusters_.count, 0);
-    for (Piece& p : persons) {
-      const auto c = static_cast<std::size_t>(p.cluster);
-      const float l = footprints[c].length(), w = footprints[c].width();
-      const bool small = l <= kCyclistLength && w <= kCyclistWidth;
-      if (!isFree(p, l > kVehicleLength || w > kVehicleWidth)) continue;
-      if (small && first[c]++ == 0) continue;
-      chosen.push_back(std::move(p));
+  /// Candidates that stand free. What is no larger than a cyclist keeps one of them.
+  std::vector<ImagePiece> chooseFree(std::vector<ImagePiece>& candidates,
+                                     std::size_t clusters) const {
+    const std::vector<Footprint> footprints = footprintsOf(candidates, clusters);
+    std::vector<std::size_t> kept(clusters, 0);
+    std::vector<ImagePiece> chosen;
+    for (ImagePiece& piece : candidates) {
+      const auto c = static_cast<std::size_t>(piece.cluster);
+      const float length = footprints[c].length();
+      const float width = footprints[c].width();
+      if (!isFree(piece, length > kVehicleLength || width > kVehicleWidth)) continue;
+      if (length <= kCyclistLength && width <= kCyclistWidth && kept[c]++ == 0) continue;
+      chosen.push_back(std::move(piece));
     }
     return chosen;
   }
 
-  void assign(const std::vector<Piece>& chosen) {
-    std::vector<std::int32_t> target = cluster_;
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      for (std::uint32_t i : chosen[k].points) {
-        target[i] = static_cast<std::int32_t>(clusters_.count + k);
-      }
-    }
-    for (std::size_t v = 0; v < voxels_.size(); ++v) {
-      if (clusters_.of_voxel[v] == Clusters::kNoise) continue;
-      clusters_.of_voxel[v] = majority(target, v);
-    }
-    clusters_.count += chosen.size();
+  bool isFree(const ImagePiece& piece, bool beyond_vehicle) const {
+    const auto jump = static_cast<float>(config_.jump);
+    const Border border = BorderWalk(image_, height_, cluster_, pieces_, piece, jump).walk();
+    const auto sides = static_cast<double>(border.sides);
+    const double flanked = beyond_vehicle ? config_.flanked_large : config_.flanked;
+    return sides >= config_.open * static_cast<double>(piece.points.size()) &&
+           static_cast<double>(border.hidden) <= config_.hidden * sides &&
+           static_cast<double>(border.flanked) <= flanked * static_cast<double>(border.upper);
   }
 
-  std::int32_t majority(const std::vector<std::int32_t>& target, std::size_t v) const {
-    std::int32_t best = clusters_.of_voxel[v];
-    std::size_t most = 0;
-    for (std::uint32_t k = voxels_.begin[v]; k < voxels_.begin[v + 1]; ++k) {
-      const std::int32_t t = target[voxels_.points[k]];
-      std::size_t n = 0;
-      for (std::uint32_t m = voxels_.begin[v]; m < voxels_.begin[v + 1]; ++m) {
-        n += target[voxels_.points[m]] == t ? 1 : 0;
-      }
-      if (n > most) {
-        most = n;
-        best = t;
-      }
+  /// Numbers the piece and the fragments of its cluster that lie within it.
+  void take(const ImagePiece& piece, std::int32_t number, std::vector<std::int32_t>& result) const {
+    const Extent extent = extentOf(piece);
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      if (cluster_[i] != piece.cluster || height_[i] > extent.high + kMargin) continue;
+      if (pieces_.sizeAt(i) >= static_cast<std::uint32_t>(config_.min_points)) continue;
+      if (extent.footprint.contains(points_[i].x, points_[i].y, kMargin)) result[i] = number;
     }
-    return best;
+    for (std::uint32_t i : piece.points) result[i] = number;
   }
 
   const std::vector<Point>& points_;
   const RangeImage& image_;
   const std::vector<float>& height_;
   const CarveConfig& config_;
-  const CurvedVoxels& voxels_;
-  Clusters& clusters_;
-  std::vector<std::int32_t> cluster_;  ///< of each point
-  UnionFind pieces_;                   ///< over the points
+  std::vector<std::int32_t>& cluster_;  ///< of each point
+  ImagePieces pieces_;
 };
 
 }  // namespace
@@ -294,11 +320,18 @@ class Carver {
 void carveClusters(const std::vector<Point>& points,
                    const RangeImage& image,
                    const std::vector<float>& height,
-                   const CarveConfig& config,
+                   const Config& config,
                    const CurvedVoxels& voxels,
                    Clusters& clusters) {
-  if (config.jump <= 0.0) return;
-  Carver(points, image, height, config, voxels, clusters).carve();
+  std::vector<std::int32_t> cluster = clusterOfPoints(points.size(), voxels, clusters);
+  std::size_t count = clusters.count;
+  for (const CarveConfig& kind : {config.person, config.bicycle}) {
+    if (kind.jump <= 0.0) continue;
+    count = Carver(points, image, height, kind, cluster).carve(count);
+  }
+  if (count == clusters.count) return;
+  assignVoxels(voxels, cluster, clusters);
+  dropSmall(voxels, static_cast<std::uint32_t>(config.cvi.n_noise), count, clusters);
 }
 
 }  // namespace segdf

@@ -13,12 +13,7 @@ constexpr float kPi = 3.14159265F;
 
 }  // namespace
 
-Footprint::Footprint() {
-  low_.fill(std::numeric_limits<float>::infinity());
-  high_.fill(-std::numeric_limits<float>::infinity());
-}
-
-void Footprint::add(float x, float y) {
+float Footprint::alongAxis(std::size_t direction, float x, float y) {
   static const auto kAxes = [] {
     std::array<std::array<float, 2>, kDirections> axes{};
     for (std::size_t k = 0; k < kDirections; ++k) {
@@ -27,11 +22,28 @@ void Footprint::add(float x, float y) {
     }
     return axes;
   }();
+  return kAxes[direction][0] * x + kAxes[direction][1] * y;
+}
+
+Footprint::Footprint() {
+  low_.fill(std::numeric_limits<float>::infinity());
+  high_.fill(-std::numeric_limits<float>::infinity());
+}
+
+void Footprint::add(float x, float y) {
   for (std::size_t k = 0; k < kDirections; ++k) {
-    const float along = kAxes[k][0] * x + kAxes[k][1] * y;
+    const float along = alongAxis(k, x, y);
     low_[k] = std::min(low_[k], along);
     high_[k] = std::max(high_[k], along);
   }
+}
+
+bool Footprint::contains(float x, float y, float margin) const {
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    const float along = alongAxis(k, x, y);
+    if (along < low_[k] - margin || along > high_[k] + margin) return false;
+  }
+  return true;
 }
 
 std::size_t Footprint::longest() const {

@@ -138,9 +138,7 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
   const CurvedGrid grid(config.cvi, config.input.min_range);
   seg.voxels = buildCurvedVoxels(objectKeys(scan, seg.roles, grid, threads), intensity);
   seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
-  for (const CarveConfig& kind : {config.person, config.bicycle}) {
-    carveClusters(scan.points, *image, seg.height, kind, seg.voxels, seg.clusters);
-  }
+  carveClusters(scan.points, *image, seg.height, config, seg.voxels, seg.clusters);
   seg.segments = collectSegments(scan, seg.voxels, seg.clusters);
   return seg;
 }

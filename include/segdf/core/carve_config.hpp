@@ -3,7 +3,8 @@
 
 namespace segdf {
 
-/// What is carved off the clusters that hold it, one kind of thing (docs/segmentation.md, "Carving").
+/// What is carved off the clusters that hold it, one kind of thing (docs/segmentation.md,
+/// "Carving").
 struct CarveConfig {
   double jump = 0.0;
   int min_points = 30;

@@ -13,6 +13,8 @@ class Footprint {
   Footprint();
 
   void add(float x, float y);
+  /// True when the point is no farther out than `margin` metres in any of the directions.
+  bool contains(float x, float y, float margin) const;
   /// Greatest extent, metres.
   float length() const { return extent(longest()); }
   /// Extent across the greatest one, metres.
@@ -21,6 +23,7 @@ class Footprint {
  private:
   static constexpr std::size_t kDirections = 12;
 
+  static float alongAxis(std::size_t direction, float x, float y);
   float extent(std::size_t direction) const { return high_[direction] - low_[direction]; }
   std::size_t longest() const;
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/segmentation/image_pieces.hpp"
+
+#include <cmath>
+
+#include "segdf/segmentation/clustering.hpp"
+#include "segdf/segmentation/union_find.hpp"
+
+namespace segdf {
+
+namespace {
+
+class Connector {
+ public:
+  Connector(const RangeImage& image, const std::vector<std::int32_t>& cluster, float jump)
+      : image_(image), cluster_(cluster), jump_(jump) {}
+
+  UnionFind connect() const {
+    UnionFind pieces(cluster_.size());
+    for (std::uint32_t i = 0; i < cluster_.size(); ++i) {
+      if (cluster_[i] != Clusters::kNoise) connectPoint(i, pieces);
+    }
+    return pieces;
+  }
+
+ private:
+  /// To what lies in its own cell, of whose points the image holds one, to the right and below.
+  void connectPoint(std::uint32_t i, UnionFind& pieces) const {
+    const int row = image_.rowOf(i);
+    const int column = image_.columnOf(i);
+    for (int right = 0; right <= ImagePieces::kReach; ++right) {
+      connectPair(i, image_.at(row, column + right), pieces);
+    }
+    for (int right = -ImagePieces::kReach; right <= ImagePieces::kReach; ++right) {
+      connectPair(i, image_.at(row + 1, column + right), pieces);
+    }
+  }
+
+  void connectPair(std::uint32_t a, std::int32_t neighbour, UnionFind& pieces) const {
+    if (neighbour == RangeImage::kNone) return;
+    const auto b = static_cast<std::uint32_t>(neighbour);
+    if (cluster_[a] != cluster_[b]) return;
+    if (std::abs(image_.rangeOf(a) - image_.rangeOf(b)) < jump_) pieces.unite(a, b);
+  }
+
+  const RangeImage& image_;
+  const std::vector<std::int32_t>& cluster_;
+  float jump_;
+};
+
+}  // namespace
+
+ImagePieces::ImagePieces(const RangeImage& image,
+                         const std::vector<std::int32_t>& cluster,
+                         float jump)
+    : cluster_(cluster), root_(cluster.size()), size_(cluster.size(), 0) {
+  UnionFind pieces = Connector(image, cluster, jump).connect();
+  for (std::uint32_t i = 0; i < cluster.size(); ++i) {
+    root_[i] = pieces.find(i);
+    if (cluster[i] == Clusters::kNoise) continue;
+    ++size_[root_[i]];
+    const auto c = static_cast<std::size_t>(cluster[i]);
+    if (c >= cluster_size_.size()) cluster_size_.resize(c + 1, 0);
+    ++cluster_size_[c];
+  }
+}
+
+std::vector<ImagePiece> ImagePieces::largerThan(std::uint32_t min_points) const {
+  std::vector<ImagePiece> pieces;
+  std::vector<std::size_t> number(root_.size(), 0);
+  for (std::uint32_t i = 0; i < root_.size(); ++i) {
+    const std::uint32_t root = root_[i];
+    if (size_[root] < min_points) continue;
+    if (size_[root] == cluster_size_[static_cast<std::size_t>(cluster_[i])]) continue;
+    if (root == i) {  // roots are the smallest point, so they come first
+      number[root] = pieces.size();
+      pieces.push_back({root, cluster_[i], {}});
+      pieces.back().points.reserve(size_[root]);
+    }
+    pieces[number[root]].points.push_back(i);
+  }
+  return pieces;
+}
+
+}  // namespace segdf
