@@ -54,9 +54,15 @@ std::set<std::int32_t> segmentsIn(const Scan& scan,
   return segments;
 }
 
+/// As many columns as the range image has.
+Scan scanOf(const test::BoxWorld& world) {
+  constexpr int kColumns = 2048;
+  return world.scan(0.0, 0.0, 0.0, 0, kColumns);
+}
+
 /// Both areas are of one segment without carving, and of one each, not the same, with it.
 void expectParted(const test::BoxWorld& world, const Area& a, const Area& b) {
-  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Scan scan = scanOf(world);
   const auto whole = segmentOfPoints(scan, uncarved());
   ASSERT_EQ(segmentsIn(scan, whole, a), segmentsIn(scan, whole, b)) << "the scene is too easy";
   const auto carved = segmentOfPoints(scan, {});
@@ -68,20 +74,21 @@ void expectParted(const test::BoxWorld& world, const Area& a, const Area& b) {
   EXPECT_GE(*of_a.begin(), 0);
 }
 
-test::BoxWorld personAtWall(double gap) {
+/// The wall's front stands `behind` metres behind the person's.
+test::BoxWorld personAtWall(double behind) {
   test::BoxWorld world;
-  world.add(10.0, 0.0, 0.4, 0.5, 1.7);
-  world.add(10.2 + gap + 0.15, 0.0, 0.3, 8.0, 2.6);
+  world.add(10.0, 0.0, 0.2, 0.5, 1.7);
+  world.add(9.9 + behind + 0.15, 0.0, 0.3, 8.0, 2.6);
   return world;
 }
 
-const Area kPerson{9.7, 10.25, -0.3, 0.3};
-const Area kWall{10.25, 10.8, 1.0, 4.0};
+const Area kPerson{9.7, 10.05, -0.3, 0.3};
+const Area kWall{10.1, 10.8, 1.0, 4.0};
 
-TEST(Carving, APersonBesideAWallIsCarvedOffIt) { expectParted(personAtWall(0.25), kPerson, kWall); }
+TEST(Carving, APersonBesideAWallIsCarvedOffIt) { expectParted(personAtWall(0.35), kPerson, kWall); }
 
 TEST(Carving, APersonWhoLeansAtTheWallIsNot) {
-  const Scan scan = personAtWall(-0.38).scan(0.0, 0.0, 0.0, 0);
+  const Scan scan = scanOf(personAtWall(0.05));
   EXPECT_EQ(segmentOfPoints(scan, {}), segmentOfPoints(scan, uncarved()));
 }
 
@@ -93,10 +100,11 @@ TEST(Carving, APersonAmongChairsKeepsWhatIsSeenOfHim) {
   expectParted(world, {10.2, 10.6, -0.3, 0.3}, {9.8, 10.2, 0.5, 2.0});
 }
 
-/// Wheels and frame as upright bars 6 cm wide under a handlebar and saddle: one sees through.
+/// Spokes and frame as upright bars 3 cm wide over a low base: one sees through.
 test::BoxWorld bicycleAtFence(double spacing) {
   test::BoxWorld world;
-  for (double y = -0.8; y < 0.81; y += spacing) world.add(8.0, y, 0.06, 0.06, 1.1);
+  world.add(8.0, 0.0, 0.03, 1.6, 0.2);
+  for (double y = -0.8; y < 0.81; y += spacing) world.add(8.0, y, 0.03, 0.03, 1.1);
   world.add(8.35, 0.0, 0.1, 6.0, 1.3);
   return world;
 }
@@ -109,7 +117,7 @@ TEST(Carving, ABicycleAtAFenceIsCarvedOffIt) {
 }
 
 TEST(Carving, ABoardAtAFenceIsNot) {
-  const Scan scan = bicycleAtFence(0.03).scan(0.0, 0.0, 0.0, 0);
+  const Scan scan = scanOf(bicycleAtFence(0.02));
   EXPECT_EQ(segmentOfPoints(scan, {}), segmentOfPoints(scan, uncarved()));
 }
 
@@ -119,7 +127,7 @@ TEST(Carving, TwoParkedCarsThatTouchAHedgeLoseNothing) {
   world.add(7.8, 4.0, 2.0, 1.6, 1.5);
   world.add(13.0, 4.0, 4.2, 1.8, 1.5);
   world.add(10.0, 5.2, 12.0, 0.6, 1.2);
-  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Scan scan = scanOf(world);
   EXPECT_EQ(segmentOfPoints(scan, {}), segmentOfPoints(scan, uncarved()));
 }
 
@@ -127,7 +135,7 @@ TEST(Carving, ARiderStaysOnHisBicycle) {
   test::BoxWorld world;
   world.add(10.0, 0.0, 0.1, 1.8, 1.0);
   world.add(9.8, 0.0, 0.3, 0.5, 1.7);
-  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Scan scan = scanOf(world);
   const auto of_point = segmentOfPoints(scan, {});
   EXPECT_EQ(of_point, segmentOfPoints(scan, uncarved()));
   EXPECT_EQ(segmentsIn(scan, of_point, {9.0, 11.0, -1.0, 1.0}).size(), 1U);
@@ -141,7 +149,7 @@ TEST(Carving, TwoPersonsSideBySideAreTwo) {
 }
 
 TEST(Carving, SegmentsAreLargeEnoughAndTheSameWithTwoThreads) {
-  const Scan scan = personAtWall(0.25).scan(0.0, 0.0, 0.0, 0);
+  const Scan scan = scanOf(personAtWall(0.35));
   StageTimes times;
   const Segmentation seg = segmentScan(scan, {}, 1, times);
   ASSERT_EQ(seg.segments.size(), seg.clusters.count);
