@@ -27,7 +27,8 @@ constexpr float kChest = 1.0F;
 // range, metres.
 constexpr float kFlankReach = 0.5F;
 constexpr float kFlankDepth = 0.2F;
-// Fragments that belong to a piece stand out of its footprint, and over its top, by less, metres.
+// Fragments less than half its size belong to a piece when they stand out of its footprint, and
+// over its top, by less, metres.
 constexpr float kMargin = 0.1F;
 
 /// Horizontal and vertical extent of a piece, metres.
@@ -301,7 +302,7 @@ class Carver {
     const Extent extent = extentOf(piece);
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       if (cluster_[i] != piece.cluster || height_[i] > extent.high + kMargin) continue;
-      if (pieces_.sizeAt(i) >= static_cast<std::uint32_t>(config_.min_points)) continue;
+      if (2 * pieces_.sizeAt(i) > piece.points.size()) continue;
       if (extent.footprint.contains(points_[i].x, points_[i].y, kMargin)) result[i] = number;
     }
     for (std::uint32_t i : piece.points) result[i] = number;
