@@ -31,19 +31,18 @@ constexpr float kFlankDepth = 0.2F;
 // over its top, by less, metres.
 constexpr float kMargin = 0.1F;
 
-/// Horizontal and vertical extent of a piece, metres.
-struct Extent {
-  Footprint footprint;
-  float low = std::numeric_limits<float>::infinity();
-  float high = -std::numeric_limits<float>::infinity();
-};
-
 /// What a piece borders on.
 struct Border {
   std::size_t sides = 0;    ///< points at its left and right border
   std::size_t hidden = 0;   ///< those that lie behind what is beside them
   std::size_t upper = 0;    ///< points at its border from the chest up, its top included
   std::size_t flanked = 0;  ///< those beyond which its cluster goes on
+};
+
+/// A piece of the right size, free but for what its cluster's size asks for.
+struct Candidate {
+  ImagePiece piece;
+  Border border;
 };
 
 /// Measures the border of one piece.
@@ -151,24 +150,15 @@ std::vector<std::int32_t> clusterOfPoints(std::size_t points,
   return cluster;
 }
 
-/// The most frequent value of the voxel's points, of equally frequent ones the smallest.
-std::int32_t majority(const CurvedVoxels& voxels,
-                      std::size_t voxel,
-                      const std::vector<std::int32_t>& cluster,
-                      std::vector<std::int32_t>& scratch) {
-  scratch.clear();
-  for (std::uint32_t k = voxels.begin[voxel]; k < voxels.begin[voxel + 1]; ++k) {
-    scratch.push_back(cluster[voxels.points[k]]);
-  }
-  std::sort(scratch.begin(), scratch.end());
-  std::int32_t best = scratch.front();
+/// The most frequent value, of equally frequent ones the smallest.
+std::int32_t mostFrequent(std::vector<std::int32_t>& values) {
+  std::sort(values.begin(), values.end());
+  std::int32_t best = values.front();
   std::ptrdiff_t most = 0;
-  for (auto run = scratch.begin(); run != scratch.end();) {
-    const auto end = std::upper_bound(run, scratch.end(), *run);
-    if (end - run > most) {
-      most = end - run;
-      best = *run;
-    }
+  for (auto run = values.begin(); run != values.end();) {
+    const auto end = std::upper_bound(run, values.end(), *run);
+    if (end - run > most) best = *run;
+    most = std::max(most, end - run);
     run = end;
   }
   return best;
@@ -177,10 +167,15 @@ std::int32_t majority(const CurvedVoxels& voxels,
 void assignVoxels(const CurvedVoxels& voxels,
                   const std::vector<std::int32_t>& cluster,
                   Clusters& clusters) {
-  std::vector<std::int32_t> scratch;
+  std::vector<std::int32_t> values;
   for (std::size_t v = 0; v < voxels.size(); ++v) {
-    if (clusters.of_voxel[v] == Clusters::kNoise) continue;
-    clusters.of_voxel[v] = majority(voxels, v, cluster, scratch);
+    values.clear();
+    bool changed = false;
+    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+      values.push_back(cluster[voxels.points[k]]);
+      changed = changed || values.back() != clusters.of_voxel[v];
+    }
+    if (changed) clusters.of_voxel[v] = mostFrequent(values);
   }
 }
 
@@ -220,12 +215,7 @@ class Carver {
 
   /// Gives what is carved numbers from `count` on. @returns how many there are then
   std::size_t carve(std::size_t count) {
-    std::vector<ImagePiece> candidates =
-        pieces_.largerThan(static_cast<std::uint32_t>(config_.min_points));
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                    [this](const ImagePiece& p) { return !hasSize(p); }),
-                     candidates.end());
-    const std::vector<ImagePiece> carved = chooseFree(candidates, count);
+    const std::vector<ImagePiece> carved = choose(findCandidates(), count);
     std::vector<std::int32_t> result = cluster_;
     for (const ImagePiece& piece : carved) {
       take(piece, static_cast<std::int32_t>(count++), result);
@@ -235,32 +225,34 @@ class Carver {
   }
 
  private:
-  Extent extentOf(const ImagePiece& piece) const {
-    Extent extent;
+  /// What costs least is asked first: few pieces have the height of a person.
+  bool hasSize(const ImagePiece& piece) const {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
     for (std::uint32_t i : piece.points) {
-      extent.footprint.add(points_[i].x, points_[i].y);
-      extent.low = std::min(extent.low, height_[i]);
-      extent.high = std::max(extent.high, height_[i]);
+      low = std::min(low, height_[i]);
+      high = std::max(high, height_[i]);
     }
-    return extent;
+    const auto top = static_cast<double>(high);
+    if (top < config_.top_min || top > config_.top_max) return false;
+    if (static_cast<double>(high - low) < config_.height) return false;
+    const Footprint footprint = footprintOf(piece.points);
+    const auto length = static_cast<double>(footprint.length());
+    return length >= config_.length_min && length <= config_.length_max &&
+           static_cast<double>(footprint.width()) <= config_.width_max;
   }
 
-  bool hasSize(const ImagePiece& piece) const {
-    const Extent extent = extentOf(piece);
-    const auto top = static_cast<double>(extent.high);
-    const auto length = static_cast<double>(extent.footprint.length());
-    const auto width = static_cast<double>(extent.footprint.width());
-    return top >= config_.top_min && top <= config_.top_max &&
-           static_cast<double>(extent.high - extent.low) >= config_.height &&
-           length >= config_.length_min && length <= config_.length_max &&
-           width <= config_.width_max;
+  Footprint footprintOf(const std::vector<std::uint32_t>& indices) const {
+    Footprint footprint;
+    for (std::uint32_t i : indices) footprint.add(points_[i].x, points_[i].y);
+    return footprint;
   }
 
   /// Footprints of the clusters that hold a candidate; the others' stay empty.
-  std::vector<Footprint> footprintsOf(const std::vector<ImagePiece>& candidates,
+  std::vector<Footprint> footprintsOf(const std::vector<Candidate>& candidates,
                                       std::size_t clusters) const {
     std::vector<std::uint8_t> wanted(clusters, 0);
-    for (const ImagePiece& p : candidates) wanted[static_cast<std::size_t>(p.cluster)] = 1;
+    for (const Candidate& c : candidates) wanted[static_cast<std::size_t>(c.piece.cluster)] = 1;
     std::vector<Footprint> footprints(clusters);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (cluster_[i] == Clusters::kNoise) continue;
@@ -270,40 +262,57 @@ class Carver {
     return footprints;
   }
 
-  /// Candidates that stand free. What is no larger than a cyclist keeps one of them.
-  std::vector<ImagePiece> chooseFree(std::vector<ImagePiece>& candidates,
-                                     std::size_t clusters) const {
+  /// Pieces of the right size that stand free, if their cluster is large.
+  std::vector<Candidate> findCandidates() const {
+    const auto jump = static_cast<float>(config_.jump);
+    std::vector<Candidate> candidates;
+    for (ImagePiece& piece : pieces_.largerThan(static_cast<std::uint32_t>(config_.min_points))) {
+      if (!hasSize(piece)) continue;
+      const Border border = BorderWalk(image_, height_, cluster_, pieces_, piece, jump).walk();
+      if (isOpen(border, piece.points.size()) && !goesOn(border, config_.flanked_large)) {
+        candidates.push_back({std::move(piece), border});
+      }
+    }
+    return candidates;
+  }
+
+  bool isOpen(const Border& border, std::size_t points) const {
+    const auto sides = static_cast<double>(border.sides);
+    return sides >= config_.open * static_cast<double>(points) &&
+           static_cast<double>(border.hidden) <= config_.hidden * sides;
+  }
+
+  static bool goesOn(const Border& border, double limit) {
+    return static_cast<double>(border.flanked) > limit * static_cast<double>(border.upper);
+  }
+
+  /// What is no larger than a cyclist keeps one of its candidates.
+  std::vector<ImagePiece> choose(std::vector<Candidate> candidates, std::size_t clusters) const {
+    std::vector<ImagePiece> chosen;
+    if (candidates.empty()) return chosen;
     const std::vector<Footprint> footprints = footprintsOf(candidates, clusters);
     std::vector<std::size_t> kept(clusters, 0);
-    std::vector<ImagePiece> chosen;
-    for (ImagePiece& piece : candidates) {
-      const auto c = static_cast<std::size_t>(piece.cluster);
+    for (Candidate& candidate : candidates) {
+      const auto c = static_cast<std::size_t>(candidate.piece.cluster);
       const float length = footprints[c].length();
       const float width = footprints[c].width();
-      if (!isFree(piece, length > kVehicleLength || width > kVehicleWidth)) continue;
+      const bool large = length > kVehicleLength || width > kVehicleWidth;
+      if (!large && goesOn(candidate.border, config_.flanked)) continue;
       if (length <= kCyclistLength && width <= kCyclistWidth && kept[c]++ == 0) continue;
-      chosen.push_back(std::move(piece));
+      chosen.push_back(std::move(candidate.piece));
     }
     return chosen;
   }
 
-  bool isFree(const ImagePiece& piece, bool beyond_vehicle) const {
-    const auto jump = static_cast<float>(config_.jump);
-    const Border border = BorderWalk(image_, height_, cluster_, pieces_, piece, jump).walk();
-    const auto sides = static_cast<double>(border.sides);
-    const double flanked = beyond_vehicle ? config_.flanked_large : config_.flanked;
-    return sides >= config_.open * static_cast<double>(piece.points.size()) &&
-           static_cast<double>(border.hidden) <= config_.hidden * sides &&
-           static_cast<double>(border.flanked) <= flanked * static_cast<double>(border.upper);
-  }
-
   /// Numbers the piece and the fragments of its cluster that lie within it.
   void take(const ImagePiece& piece, std::int32_t number, std::vector<std::int32_t>& result) const {
-    const Extent extent = extentOf(piece);
+    const Footprint footprint = footprintOf(piece.points);
+    float top = -std::numeric_limits<float>::infinity();
+    for (std::uint32_t i : piece.points) top = std::max(top, height_[i]);
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (cluster_[i] != piece.cluster || height_[i] > extent.high + kMargin) continue;
-      if (2 * pieces_.sizeAt(i) > piece.points.size()) continue;
-      if (extent.footprint.contains(points_[i].x, points_[i].y, kMargin)) result[i] = number;
+      if (cluster_[i] != piece.cluster || height_[i] > top + kMargin) continue;
+      if (std::size_t{2} * pieces_.sizeAt(i) > piece.points.size()) continue;
+      if (footprint.contains(points_[i].x, points_[i].y, kMargin)) result[i] = number;
     }
     for (std::uint32_t i : piece.points) result[i] = number;
   }

@@ -14,15 +14,15 @@ constexpr float kPi = 3.14159265F;
 }  // namespace
 
 float Footprint::alongAxis(std::size_t direction, float x, float y) {
-  static const auto kAxes = [] {
-    std::array<std::array<float, 2>, kDirections> axes{};
+  static const auto axes = [] {
+    std::array<std::array<float, 2>, kDirections> result{};
     for (std::size_t k = 0; k < kDirections; ++k) {
       const float angle = kPi * static_cast<float>(k) / static_cast<float>(kDirections);
-      axes[k] = {std::cos(angle), std::sin(angle)};
+      result[k] = {std::cos(angle), std::sin(angle)};
     }
-    return axes;
+    return result;
   }();
-  return kAxes[direction][0] * x + kAxes[direction][1] * y;
+  return axes[direction][0] * x + axes[direction][1] * y;
 }
 
 Footprint::Footprint() {

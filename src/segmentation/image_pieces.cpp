@@ -24,7 +24,7 @@ class Connector {
   }
 
  private:
-  /// To what lies in its own cell, of whose points the image holds one, to the right and below.
+  /// To the point that the image holds of its cell, to those to the right and to those below.
   void connectPoint(std::uint32_t i, UnionFind& pieces) const {
     const int row = image_.rowOf(i);
     const int column = image_.columnOf(i);
@@ -37,9 +37,8 @@ class Connector {
   }
 
   void connectPair(std::uint32_t a, std::int32_t neighbour, UnionFind& pieces) const {
-    if (neighbour == RangeImage::kNone) return;
     const auto b = static_cast<std::uint32_t>(neighbour);
-    if (cluster_[a] != cluster_[b]) return;
+    if (neighbour == RangeImage::kNone || a == b || cluster_[a] != cluster_[b]) return;
     if (std::abs(image_.rangeOf(a) - image_.rangeOf(b)) < jump_) pieces.unite(a, b);
   }
 
