@@ -28,18 +28,24 @@ class Connector {
   void connectPoint(std::uint32_t i, UnionFind& pieces) const {
     const int row = image_.rowOf(i);
     const int column = image_.columnOf(i);
+    std::uint32_t root = pieces.find(i);
     for (int right = 0; right <= ImagePieces::kReach; ++right) {
-      connectPair(i, image_.at(row, column + right), pieces);
+      root = connectPair(i, root, image_.at(row, column + right), pieces);
     }
     for (int right = -ImagePieces::kReach; right <= ImagePieces::kReach; ++right) {
-      connectPair(i, image_.at(row + 1, column + right), pieces);
+      root = connectPair(i, root, image_.at(row + 1, column + right), pieces);
     }
   }
 
-  void connectPair(std::uint32_t a, std::int32_t neighbour, UnionFind& pieces) const {
+  /// @returns the root of `a` afterwards
+  std::uint32_t connectPair(std::uint32_t a,
+                            std::uint32_t root,
+                            std::int32_t neighbour,
+                            UnionFind& pieces) const {
     const auto b = static_cast<std::uint32_t>(neighbour);
-    if (neighbour == RangeImage::kNone || a == b || cluster_[a] != cluster_[b]) return;
-    if (std::abs(image_.rangeOf(a) - image_.rangeOf(b)) < jump_) pieces.unite(a, b);
+    if (neighbour == RangeImage::kNone || a == b || cluster_[a] != cluster_[b]) return root;
+    if (std::abs(image_.rangeOf(a) - image_.rangeOf(b)) >= jump_) return root;
+    return pieces.unite(root, b);
   }
 
   const RangeImage& image_;
