@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/segmentation/image_pieces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "segdf/segmentation/clustering.hpp"
@@ -10,10 +11,27 @@ namespace segdf {
 
 namespace {
 
+constexpr int kLeastReach = 2;
+constexpr int kMostReach = 8;
+
+/// Twice the columns between neighbours in the fullest row: a sensor may have fewer than the image.
+int reachOf(const RangeImage& image, std::size_t points) {
+  std::vector<int> returns(static_cast<std::size_t>(image.rows()), 0);
+  int fullest = 1;
+  for (std::size_t i = 0; i < points; ++i) {
+    if (image.rowOf(i) == RangeImage::kNone) continue;
+    fullest = std::max(fullest, ++returns[static_cast<std::size_t>(image.rowOf(i))]);
+  }
+  return std::clamp((2 * image.columns() + fullest / 2) / fullest, kLeastReach, kMostReach);
+}
+
 class Connector {
  public:
-  Connector(const RangeImage& image, const std::vector<std::int32_t>& cluster, float jump)
-      : image_(image), cluster_(cluster), jump_(jump) {}
+  Connector(const RangeImage& image,
+            const std::vector<std::int32_t>& cluster,
+            float jump,
+            int reach)
+      : image_(image), cluster_(cluster), jump_(jump), reach_(reach) {}
 
   UnionFind connect() const {
     UnionFind pieces(cluster_.size());
@@ -29,10 +47,10 @@ class Connector {
     const int row = image_.rowOf(i);
     const int column = image_.columnOf(i);
     std::uint32_t root = pieces.find(i);
-    for (int right = 0; right <= ImagePieces::kReach; ++right) {
+    for (int right = 0; right <= reach_; ++right) {
       root = connectPair(i, root, image_.at(row, column + right), pieces);
     }
-    for (int right = -ImagePieces::kReach; right <= ImagePieces::kReach; ++right) {
+    for (int right = -reach_; right <= reach_; ++right) {
       root = connectPair(i, root, image_.at(row + 1, column + right), pieces);
     }
   }
@@ -51,6 +69,7 @@ class Connector {
   const RangeImage& image_;
   const std::vector<std::int32_t>& cluster_;
   float jump_;
+  int reach_;
 };
 
 }  // namespace
@@ -58,8 +77,11 @@ class Connector {
 ImagePieces::ImagePieces(const RangeImage& image,
                          const std::vector<std::int32_t>& cluster,
                          float jump)
-    : cluster_(cluster), root_(cluster.size()), size_(cluster.size(), 0) {
-  UnionFind pieces = Connector(image, cluster, jump).connect();
+    : reach_(reachOf(image, cluster.size())),
+      cluster_(cluster),
+      root_(cluster.size()),
+      size_(cluster.size(), 0) {
+  UnionFind pieces = Connector(image, cluster, jump, reach_).connect();
   for (std::uint32_t i = 0; i < cluster.size(); ++i) {
     root_[i] = pieces.find(i);
     if (cluster[i] == Clusters::kNoise) continue;

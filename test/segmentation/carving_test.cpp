@@ -131,6 +131,15 @@ TEST(Carving, TwoParkedCarsThatTouchAHedgeLoseNothing) {
   EXPECT_EQ(segmentOfPoints(scan, {}), segmentOfPoints(scan, uncarved()));
 }
 
+TEST(Carving, ACarIsNotCutIntoStripsBySensorsWithHalfTheColumns) {
+  test::BoxWorld world;
+  world.add(10.0, 3.85, 1.8, 1.7, 1.6);
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 0, 1000);
+  const auto of_point = segmentOfPoints(scan, {});
+  EXPECT_EQ(of_point, segmentOfPoints(scan, uncarved()));
+  EXPECT_EQ(segmentsIn(scan, of_point, {9.0, 11.0, 2.9, 4.8}).size(), 1U);
+}
+
 TEST(Carving, ARiderStaysOnHisBicycle) {
   test::BoxWorld world;
   world.add(10.0, 0.0, 0.1, 1.8, 1.0);

@@ -20,12 +20,11 @@ struct ImagePiece {
 /// `jump` metres in range.
 class ImagePieces {
  public:
-  /// Columns looked across for a neighbour: every other one may be without return.
-  static constexpr int kReach = 2;
-
   /// @param cluster of each point, Clusters::kNoise for those in none
   ImagePieces(const RangeImage& image, const std::vector<std::int32_t>& cluster, float jump);
 
+  /// Columns or rows looked across for a neighbour: every other one may be without return.
+  int reach() const { return reach_; }
   /// Number of points in the piece of a point; 0 for a point in no cluster.
   std::uint32_t sizeAt(std::size_t point) const { return size_[root_[point]]; }
   /// True when `point` (kNone when there is none) belongs to the piece.
@@ -36,6 +35,7 @@ class ImagePieces {
   std::vector<ImagePiece> largerThan(std::uint32_t min_points) const;
 
  private:
+  int reach_;
   std::vector<std::int32_t> cluster_;
   std::vector<std::uint32_t> root_;          ///< of each point
   std::vector<std::uint32_t> size_;          ///< of each root's piece
