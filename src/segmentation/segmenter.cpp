@@ -8,6 +8,7 @@
 
 #include "segdf/core/parallel.hpp"
 #include "segdf/core/stage_timer.hpp"
+#include "segdf/segmentation/carving.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/intensity.hpp"
 #include "segdf/segmentation/object_feet.hpp"
@@ -137,6 +138,7 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
   const CurvedGrid grid(config.cvi, config.input.min_range);
   seg.voxels = buildCurvedVoxels(objectKeys(scan, seg.roles, grid, threads), intensity);
   seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
+  carveClusters(scan.points, *image, seg.height, config, seg.voxels, seg.clusters);
   seg.segments = collectSegments(scan, seg.voxels, seg.clusters);
   return seg;
 }

@@ -40,22 +40,35 @@ struct Labelled {
 /// One row of the table of instances.
 struct Method {
   std::string name;
-  std::function<void(CurvedVoxelConfig&)> change;
+  std::function<void(Config&)> change;
 };
 
+void carveNothing(Config& c) {
+  c.person.jump = 0.0;
+  c.bicycle.jump = 0.0;
+}
+
+/// Other ways of clustering, all without carving.
 std::vector<Method> methods(bool brief) {
-  std::vector<Method> all{{"segdf: stage 1 + stage 2 with intensity", [](auto&) {}}};
+  std::vector<Method> all{{"segdf: stages 1 and 2, carving", [](Config&) {}}};
   if (brief) return all;
-  all.push_back({"curved voxels alone (stage 1, no intensity)", [](auto& c) { c.ext = 1; }});
-  all.push_back({"stage 2 without intensity", [](auto& c) { c.thre_av = 1.0; }});
-  all.push_back({"gate evidence", [](auto& c) { c.gate = IntensityGate::kEvidence; }});
-  all.push_back({"gate literal", [](auto& c) { c.gate = IntensityGate::kLiteral; }});
-  all.push_back({"curved voxels 0.35 m / 2 deg / 1.2 deg", [](auto& c) {
-                   c.drho = 0.35;
-                   c.dtheta = 2.0;
-                   c.dphi = 1.2;
-                   c.ext = 1;
-                 }});
+  const auto add = [&all](const char* name, auto change) {
+    all.push_back({name, [change](Config& c) {
+                     carveNothing(c);
+                     change(c.cvi);
+                   }});
+  };
+  add("stage 1 + stage 2 with intensity", [](auto&) {});
+  add("curved voxels alone (stage 1, no intensity)", [](auto& c) { c.ext = 1; });
+  add("stage 2 without intensity", [](auto& c) { c.thre_av = 1.0; });
+  add("gate evidence", [](auto& c) { c.gate = IntensityGate::kEvidence; });
+  add("gate literal", [](auto& c) { c.gate = IntensityGate::kLiteral; });
+  add("curved voxels 0.35 m / 2 deg / 1.2 deg", [](auto& c) {
+    c.drho = 0.35;
+    c.dtheta = 2.0;
+    c.dphi = 1.2;
+    c.ext = 1;
+  });
   return all;
 }
 
@@ -104,7 +117,7 @@ void addScan(const Labelled& l, const Config& config, bool brief, Scores& scores
   scores.instances.resize(rows.size() + (brief ? 0 : 1));
   for (std::size_t m = 0; m < rows.size(); ++m) {
     Config changed = config;
-    rows[m].change(changed.cvi);
+    rows[m].change(changed);
     const Segmentation seg = segment(l.scan, changed);
     scores.instances[m].add(clusterOf(seg), seg.roles, l.truth);
     if (m > 0) continue;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "segdf/core/carve_config.hpp"
 #include "segdf/core/dynamic_config.hpp"
 #include "segdf/core/enum_name.hpp"
 
@@ -301,6 +302,8 @@ struct Config {
   RangeImageConfig range_image;
   IntensityConfig intensity;
   CurvedVoxelConfig cvi;
+  CarveConfig person = CarveConfig::person();
+  CarveConfig bicycle = CarveConfig::bicycle();
   ClassConfig classes;
   DynamicConfig df;
   MapConfig map;
@@ -312,6 +315,8 @@ struct Config {
     v.section("range_image", s.range_image, "the sensor's grid, for neighbourhoods and normals");
     v.section("intensity", s.intensity, "intensity calibration, formula (6)");
     v.section("cvi", s.cvi, "curved voxels (7) and clustering, Algorithm 1");
+    v.section("carve_person", s.person, "persons carved off the clusters that hold them");
+    v.section("carve_bicycle", s.bicycle, "bicycles likewise");
     v.section("class", s.classes, "geometric classification, draft III-C");
     v.section("df", s.df, "dynamic filter, Algorithm 2");
     v.section("map", s.map, "static instance map");

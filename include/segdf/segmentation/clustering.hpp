@@ -18,7 +18,8 @@ struct Clusters {
   static constexpr std::int32_t kNoise = -1;
 
   std::vector<std::int32_t> of_voxel;  ///< cluster, or kNoise
-  std::size_t count = 0;               ///< clusters are 0..count-1, by smallest point index
+  std::size_t count = 0;               ///< clusters are 0..count-1, by smallest point index, those
+                                       ///< carved off others last
 };
 
 /// Algorithm 1, lines 5-18, in the deterministic form of method.md 4.5: connected components under

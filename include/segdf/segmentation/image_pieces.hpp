@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "segdf/segmentation/range_image.hpp"
+
+namespace segdf {
+
+/// Part of a cluster.
+struct ImagePiece {
+  std::uint32_t root = 0;             ///< its smallest point
+  std::int32_t cluster = 0;           ///< that it belongs to
+  std::vector<std::uint32_t> points;  ///< indices into the scan, ascending
+};
+
+/// The pieces that clusters fall into where neighbours in the range image differ by more than
+/// `jump` metres in range.
+class ImagePieces {
+ public:
+  /// @param cluster of each point, Clusters::kNoise for those in none
+  ImagePieces(const RangeImage& image, const std::vector<std::int32_t>& cluster, float jump);
+
+  /// Columns or rows looked across for a neighbour: every other one may be without return.
+  int reach() const { return reach_; }
+  /// Number of points in the piece of a point; 0 for a point in no cluster.
+  std::uint32_t sizeAt(std::size_t point) const { return size_[root_[point]]; }
+  /// True when `point` (kNone when there is none) belongs to the piece.
+  bool contains(const ImagePiece& piece, std::int32_t point) const {
+    return point != RangeImage::kNone && root_[static_cast<std::size_t>(point)] == piece.root;
+  }
+  /// Pieces of so many points or more that are not their whole cluster, by smallest point.
+  std::vector<ImagePiece> largerThan(std::uint32_t min_points) const;
+
+ private:
+  int reach_;
+  std::vector<std::int32_t> cluster_;
+  std::vector<std::uint32_t> root_;          ///< of each point
+  std::vector<std::uint32_t> size_;          ///< of each root's piece
+  std::vector<std::uint32_t> cluster_size_;  ///< points
+};
+
+}  // namespace segdf
