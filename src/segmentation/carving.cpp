@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "segdf/segmentation/footprint.hpp"
+#include "segdf/segmentation/horizontal_extent.hpp"
 #include "segdf/segmentation/image_pieces.hpp"
 
 namespace segdf {
@@ -27,7 +27,7 @@ constexpr float kChest = 1.0F;
 // range, metres.
 constexpr float kFlankReach = 0.5F;
 constexpr float kFlankDepth = 0.2F;
-// Fragments less than half its size belong to a piece when they stand out of its footprint, and
+// Fragments less than half its size belong to a piece when they stand out of its extent, and
 // over its top, by less, metres.
 constexpr float kMargin = 0.1F;
 
@@ -236,30 +236,30 @@ class Carver {
     const auto top = static_cast<double>(high);
     if (top < config_.top_min || top > config_.top_max) return false;
     if (static_cast<double>(high - low) < config_.height) return false;
-    const Footprint footprint = footprintOf(piece.points);
-    const auto length = static_cast<double>(footprint.length());
+    const HorizontalExtent extent = extentOf(piece.points);
+    const auto length = static_cast<double>(extent.length());
     return length >= config_.length_min && length <= config_.length_max &&
-           static_cast<double>(footprint.width()) <= config_.width_max;
+           static_cast<double>(extent.width()) <= config_.width_max;
   }
 
-  Footprint footprintOf(const std::vector<std::uint32_t>& indices) const {
-    Footprint footprint;
-    for (std::uint32_t i : indices) footprint.add(points_[i].x, points_[i].y);
-    return footprint;
+  HorizontalExtent extentOf(const std::vector<std::uint32_t>& indices) const {
+    HorizontalExtent extent;
+    for (std::uint32_t i : indices) extent.add(points_[i].x, points_[i].y);
+    return extent;
   }
 
   /// Footprints of the clusters that hold a candidate; the others' stay empty.
-  std::vector<Footprint> footprintsOf(const std::vector<Candidate>& candidates,
-                                      std::size_t clusters) const {
+  std::vector<HorizontalExtent> extentsOf(const std::vector<Candidate>& candidates,
+                                          std::size_t clusters) const {
     std::vector<std::uint8_t> wanted(clusters, 0);
     for (const Candidate& c : candidates) wanted[static_cast<std::size_t>(c.piece.cluster)] = 1;
-    std::vector<Footprint> footprints(clusters);
+    std::vector<HorizontalExtent> extents(clusters);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (cluster_[i] == Clusters::kNoise) continue;
       const auto c = static_cast<std::size_t>(cluster_[i]);
-      if (wanted[c] != 0) footprints[c].add(points_[i].x, points_[i].y);
+      if (wanted[c] != 0) extents[c].add(points_[i].x, points_[i].y);
     }
-    return footprints;
+    return extents;
   }
 
   /// Pieces of the right size that stand free, if their cluster is large.
@@ -290,12 +290,12 @@ class Carver {
   std::vector<ImagePiece> choose(std::vector<Candidate> candidates, std::size_t clusters) const {
     std::vector<ImagePiece> chosen;
     if (candidates.empty()) return chosen;
-    const std::vector<Footprint> footprints = footprintsOf(candidates, clusters);
+    const std::vector<HorizontalExtent> extents = extentsOf(candidates, clusters);
     std::vector<std::size_t> kept(clusters, 0);
     for (Candidate& candidate : candidates) {
       const auto c = static_cast<std::size_t>(candidate.piece.cluster);
-      const float length = footprints[c].length();
-      const float width = footprints[c].width();
+      const float length = extents[c].length();
+      const float width = extents[c].width();
       const bool large = length > kVehicleLength || width > kVehicleWidth;
       if (!large && goesOn(candidate.border, config_.flanked)) continue;
       if (length <= kCyclistLength && width <= kCyclistWidth && kept[c]++ == 0) continue;
@@ -306,13 +306,13 @@ class Carver {
 
   /// Numbers the piece and the fragments of its cluster that lie within it.
   void take(const ImagePiece& piece, std::int32_t number, std::vector<std::int32_t>& result) const {
-    const Footprint footprint = footprintOf(piece.points);
+    const HorizontalExtent extent = extentOf(piece.points);
     float top = -std::numeric_limits<float>::infinity();
     for (std::uint32_t i : piece.points) top = std::max(top, height_[i]);
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
       if (cluster_[i] != piece.cluster || height_[i] > top + kMargin) continue;
       if (std::size_t{2} * pieces_.sizeAt(i) > piece.points.size()) continue;
-      if (footprint.contains(points_[i].x, points_[i].y, kMargin)) result[i] = number;
+      if (extent.contains(points_[i].x, points_[i].y, kMargin)) result[i] = number;
     }
     for (std::uint32_t i : piece.points) result[i] = number;
   }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "segdf/simulation/footprint.hpp"
+#include "segdf/simulation/ground_rectangle.hpp"
 #include "segdf/simulation/random.hpp"
 #include "segdf/simulation/traffic.hpp"
 
@@ -106,7 +106,7 @@ class SceneBuilder {
     }
   }
 
-  Footprint footprintOf(std::size_t user) const {
+  GroundRectangle footprintOf(std::size_t user) const {
     return {users_[user].route.at(0.0), users_[user].length, users_[user].width};
   }
 
@@ -146,7 +146,7 @@ class SceneBuilder {
   /// Clear of those that a scene names one by one, and of what stands.
   bool startsFree(const Place& place, const SceneObject& object, std::size_t singles) const {
     const double margin = object.length > 2.5 ? 5.0 : 0.8;
-    const Footprint footprint{place, object.length + 2.0 * margin, object.width + 0.2};
+    const GroundRectangle footprint{place, object.length + 2.0 * margin, object.width + 0.2};
     for (std::size_t k = 0; k < singles; ++k) {
       if (overlap(footprint, footprintOf(k))) return false;
     }

@@ -60,7 +60,7 @@ class Furnisher {
   bool place(SceneObject object, const StreetPoint& at, double heading, double margin) {
     Place place = scene_.ground.line.place(at);
     place.yaw += heading;
-    const Footprint footprint{place, object.length, object.width};
+    const GroundRectangle footprint{place, object.length, object.width};
     if (!taken_.isFree(footprint, margin)) return false;
     taken_.add(footprint);
     object.path = {{0.0, place.x, place.y, place.yaw, 0.0}};

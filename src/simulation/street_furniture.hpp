@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "segdf/simulation/footprint.hpp"
+#include "segdf/simulation/ground_rectangle.hpp"
 #include "segdf/simulation/scene.hpp"
 #include "segdf/simulation/scene_description.hpp"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "segdf/core/semantic_kitti.hpp"
-#include "segdf/simulation/footprint.hpp"
+#include "segdf/simulation/ground_rectangle.hpp"
 #include "segdf/simulation/scene_builder.hpp"
 #include "segdf/simulation/scene_yaml.hpp"
 #include "segdf/simulation/simulator.hpp"
@@ -41,15 +41,15 @@ class BuiltIn : public ::testing::TestWithParam<Seeded> {
       : description_(loadScene(GetParam().scene)),
         scene_(buildScene(description_, GetParam().seed, description_.duration)) {}
 
-  static Footprint footprintAt(const SceneObject& object, double time) {
+  static GroundRectangle footprintAt(const SceneObject& object, double time) {
     const WayPoint at = object.at(time);
     return {{at.x, at.y, at.yaw}, object.length, object.width};
   }
 
   /// Everything that is on wheels or feet at a time, the ego first.
-  std::vector<Footprint> usersAt(double time) const {
+  std::vector<GroundRectangle> usersAt(double time) const {
     const WayPoint ego = interpolate(scene_.ego, time);
-    std::vector<Footprint> result{{{ego.x, ego.y, ego.yaw}, kEgoLength, kEgoWidth}};
+    std::vector<GroundRectangle> result{{{ego.x, ego.y, ego.yaw}, kEgoLength, kEgoWidth}};
     for (const SceneObject& object : scene_.objects) {
       if (object.moves()) result.push_back(footprintAt(object, time));
     }
@@ -66,7 +66,7 @@ TEST_P(BuiltIn, NobodyDrivesThroughAnything) {
     if (!object.moves()) standing.add(footprintAt(object, 0.0));
   }
   for (double time = 0.0; time <= description_.duration; time += 0.3) {
-    const std::vector<Footprint> users = usersAt(time);
+    const std::vector<GroundRectangle> users = usersAt(time);
     for (std::size_t i = 0; i < users.size(); ++i) {
       ASSERT_TRUE(standing.isFree(users[i], 0.0))
           << "mover " << i << " in something that stands at " << time << " s, x "

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "segdf/simulation/footprint.hpp"
 #include "segdf/simulation/ground.hpp"
+#include "segdf/simulation/ground_rectangle.hpp"
 
 namespace segdf {
 namespace {
@@ -54,8 +54,8 @@ TEST(Terrain, GradesClimbAndKerbsStep) {
   EXPECT_EQ(ground.classAt({100.0, 12.0}), Terrain::kRoad);
 }
 
-TEST(Footprint, OverlapIsThatOfTurnedRectangles) {
-  const Footprint a{{0.0, 0.0, 0.0}, 4.0, 2.0};
+TEST(GroundRectangle, OverlapIsThatOfTurnedRectangles) {
+  const GroundRectangle a{{0.0, 0.0, 0.0}, 4.0, 2.0};
   EXPECT_TRUE(overlap(a, {{2.9, 0.0, 0.0}, 2.0, 2.0}));
   EXPECT_FALSE(overlap(a, {{3.1, 0.0, 0.0}, 2.0, 2.0}));
   // A square on its corner reaches 1.41 m.

@@ -30,4 +30,8 @@ check io 'core segmentation mapping io' "$ros|embree3/|CLI/"
 check report 'core evaluation io report' "$ros|pcl/|yaml-cpp/|png|cairo|embree3/|CLI/"
 check ros 'core segmentation dynamics mapping pipeline io ros' 'embree3/|CLI/'
 check nodelets 'core segmentation mapping pipeline io ros nodelets' 'embree3/|CLI/'
+
+# Two types of one name are one to the linker, which keeps the functions of either.
+twice=$(find include -name '*.hpp' -exec grep -hoE '^(class|struct) [A-Za-z]+( final)? ?[:{]' {} + | awk '{ print $2 }' | sort | uniq -d)
+[ -z "$twice" ] || { printf 'defined twice:\n%s\n' "$twice"; status=1; }
 exit $status

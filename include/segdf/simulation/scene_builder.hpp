@@ -8,7 +8,7 @@
 
 namespace segdf {
 
-/// Footprint of the ego vehicle, metres.
+/// GroundRectangle of the ego vehicle, metres.
 constexpr double kEgoLength = 4.4;
 constexpr double kEgoWidth = 1.8;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segdf/simulation/footprint.hpp"
+#include "segdf/simulation/ground_rectangle.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ constexpr double kLanePiece = 2.0;  // metres
 Eigen::Vector2d axis(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
 
 /// Half the extent of the rectangle along a direction.
-double halfExtent(const Footprint& f, const Eigen::Vector2d& direction) {
+double halfExtent(const GroundRectangle& f, const Eigen::Vector2d& direction) {
   const Eigen::Vector2d along = axis(f.place.yaw);
   const Eigen::Vector2d across(-along.y(), along.x());
   return 0.5 *
@@ -26,7 +26,7 @@ double halfExtent(const Footprint& f, const Eigen::Vector2d& direction) {
 
 }  // namespace
 
-bool overlap(const Footprint& a, const Footprint& b) {
+bool overlap(const GroundRectangle& a, const GroundRectangle& b) {
   const Eigen::Vector2d between(b.place.x - a.place.x, b.place.y - a.place.y);
   const Eigen::Vector2d u = axis(a.place.yaw);
   const Eigen::Vector2d v = axis(b.place.yaw);
@@ -40,7 +40,7 @@ bool overlap(const Footprint& a, const Footprint& b) {
 namespace {
 
 template <class Visit>
-bool anyCell(const Footprint& f, const Visit& visit) {
+bool anyCell(const GroundRectangle& f, const Visit& visit) {
   const double ex = halfExtent(f, Eigen::Vector2d::UnitX());
   const double ey = halfExtent(f, Eigen::Vector2d::UnitY());
   const auto cell = [](double value) { return static_cast<int>(std::floor(value / kCell)); };
@@ -54,29 +54,29 @@ bool anyCell(const Footprint& f, const Visit& visit) {
 
 }  // namespace
 
-void TakenGround::add(const Footprint& footprint) {
+void TakenGround::add(const GroundRectangle& footprint) {
   anyCell(footprint, [&](const Cell& cell) {
     cells_[cell].push_back(footprint);
     return false;
   });
 }
 
-void TakenGround::addLane(const Route& route, double way, const Footprint& user) {
+void TakenGround::addLane(const Route& route, double way, const GroundRectangle& user) {
   for (double done = 0.0; done < way; done += kLanePiece) {
     add({route.at(done), std::max(user.length, kLanePiece + user.width), user.width});
   }
   add({route.at(way), user.length, user.width});
 }
 
-bool TakenGround::isFree(const Footprint& footprint, double margin) const {
-  Footprint grown = footprint;
+bool TakenGround::isFree(const GroundRectangle& footprint, double margin) const {
+  GroundRectangle grown = footprint;
   grown.length += 2.0 * margin;
   grown.width += 2.0 * margin;
   return !anyCell(grown, [&](const Cell& cell) {
     const auto found = cells_.find(cell);
     return found != cells_.end() &&
            std::any_of(found->second.begin(), found->second.end(),
-                       [&grown](const Footprint& taken) { return overlap(grown, taken); });
+                       [&grown](const GroundRectangle& taken) { return overlap(grown, taken); });
   });
 }
 

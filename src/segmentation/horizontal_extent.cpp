@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segdf/segmentation/footprint.hpp"
+#include "segdf/segmentation/horizontal_extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr float kPi = 3.14159265F;
 
 }  // namespace
 
-float Footprint::alongAxis(std::size_t direction, float x, float y) {
+float HorizontalExtent::alongAxis(std::size_t direction, float x, float y) {
   static const auto axes = [] {
     std::array<std::array<float, 2>, kDirections> result{};
     for (std::size_t k = 0; k < kDirections; ++k) {
@@ -25,12 +25,12 @@ float Footprint::alongAxis(std::size_t direction, float x, float y) {
   return axes[direction][0] * x + axes[direction][1] * y;
 }
 
-Footprint::Footprint() {
+HorizontalExtent::HorizontalExtent() {
   low_.fill(std::numeric_limits<float>::infinity());
   high_.fill(-std::numeric_limits<float>::infinity());
 }
 
-void Footprint::add(float x, float y) {
+void HorizontalExtent::add(float x, float y) {
   for (std::size_t k = 0; k < kDirections; ++k) {
     const float along = alongAxis(k, x, y);
     low_[k] = std::min(low_[k], along);
@@ -38,7 +38,7 @@ void Footprint::add(float x, float y) {
   }
 }
 
-bool Footprint::contains(float x, float y, float margin) const {
+bool HorizontalExtent::contains(float x, float y, float margin) const {
   for (std::size_t k = 0; k < kDirections; ++k) {
     const float along = alongAxis(k, x, y);
     if (along < low_[k] - margin || along > high_[k] + margin) return false;
@@ -46,7 +46,7 @@ bool Footprint::contains(float x, float y, float margin) const {
   return true;
 }
 
-std::size_t Footprint::longest() const {
+std::size_t HorizontalExtent::longest() const {
   std::size_t best = 0;
   for (std::size_t k = 1; k < kDirections; ++k) {
     if (extent(k) > extent(best)) best = k;

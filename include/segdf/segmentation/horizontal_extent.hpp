@@ -8,9 +8,9 @@ namespace segdf {
 
 /// Extent of points in the horizontal plane along directions 15 degrees apart: length and width of
 /// what they belong to, whichever way it faces, good to 4 %.
-class Footprint {
+class HorizontalExtent {
  public:
-  Footprint();
+  HorizontalExtent();
 
   void add(float x, float y);
   /// True when the point is no farther out than `margin` metres in any of the directions.
