@@ -44,8 +44,8 @@ Proofs proofsIn(const Window& window, const DynamicConfig& config) {
   Proofs proofs;
   for (const KeyFrame* frame : window) {
     for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      const Segment& segment = frame->seg.segments[s];
-      if (!judgeVotes(frame->evidence->votes[s], segment, config).dynamic) continue;
+      const ObjectClass object_class = frame->seg.segments[s].object_class;
+      if (!judgeVotes(frame->evidence->votes[s], object_class, config).dynamic) continue;
       proofs[frame->instances[s].id].push_back(proofOf(*frame, s));
     }
   }
