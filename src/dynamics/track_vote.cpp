@@ -53,10 +53,10 @@ Tracks tracksIn(const Window& window, const DynamicConfig& config) {
   Tracks tracks;
   for (const KeyFrame* frame : window) {
     for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      const Segment& segment = frame->seg.segments[s];
+      const ObjectClass object_class = frame->seg.segments[s].object_class;
       Track& track = tracks[frame->instances[s].id];
       ++track.members;
-      if (!judgeVotes(frame->evidence->votes[s], segment, config).dynamic) continue;
+      if (!judgeVotes(frame->evidence->votes[s], object_class, config).dynamic) continue;
       track.proofs.push_back(proofOf(*frame, s));
     }
   }

@@ -13,18 +13,16 @@ constexpr double kFoundAgain = 0.5;  // share of the points
 }  // namespace
 
 Verdict judgeVotes(const std::vector<PairVote>& votes,
-                   const Segment& segment,
+                   ObjectClass object_class,
                    const DynamicConfig& config) {
   Verdict verdict;
-  const bool parked = isParked(votes, segment.points.size(), config);
-  const double moved = parked ? config.f_single : config.f_dyn;
   std::uint32_t far = 0;
   double best_far = 0.0;
   for (const PairVote& vote : votes) {
     if (!vote.informative) continue;
     const auto share = static_cast<double>(vote.freeShare());
     ++verdict.pairs;
-    verdict.dynamic_votes += share >= moved ? 1 : 0;
+    verdict.dynamic_votes += share >= config.f_dyn ? 1 : 0;
     verdict.static_votes += share <= config.f_stat ? 1 : 0;
     verdict.best = std::max(verdict.best, vote.freeShare());
     if (!isFarInTime(static_cast<double>(vote.seconds), config)) continue;
@@ -34,7 +32,7 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
   const auto least = static_cast<std::uint32_t>(config.votes);
   verdict.needed =
       std::max(least, static_cast<std::uint32_t>(std::ceil(config.vote_share * verdict.pairs)));
-  if (!isTested(segment.object_class))
+  if (!isTested(object_class))
     verdict.needed = std::max(verdict.needed, (verdict.static_votes + 1) / 2);
   verdict.dynamic = verdict.dynamic_votes >= verdict.needed;
   if (verdict.pairs > 0) verdict.reason = Reason::kVotes;

@@ -86,7 +86,7 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
 void VisibilityFilter::judge(KeyFrame& frame) const {
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     const Segment& segment = frame.seg.segments[s];
-    const Verdict verdict = judgeVotes(frame.evidence->votes[s], segment, config_.df);
+    const Verdict verdict = judgeVotes(frame.evidence->votes[s], segment.object_class, config_.df);
     Instance& instance = frame.instances[s];
     instance.dynamic = verdict.dynamic;
     if (config_.df.semi_static == SemiStatic::kKeepWhileParked &&

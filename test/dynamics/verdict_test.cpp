@@ -9,14 +9,9 @@ namespace {
 /// A vote with `free` of 100 points seen through, from a frame `seconds` away.
 PairVote vote(std::uint32_t free, float seconds) { return {0, seconds, free, 100 - free, true}; }
 
-/// @param points of the segment; votes see 100, so that of 300 nothing is found for the most part
 Verdict judge(const std::vector<PairVote>& votes,
-              ObjectClass object_class = ObjectClass::kHighMobility,
-              std::size_t points = 300) {
-  Segment segment;
-  segment.object_class = object_class;
-  segment.points.resize(points);
-  return judgeVotes(votes, segment, DynamicConfig{});
+              ObjectClass object_class = ObjectClass::kHighMobility) {
+  return judgeVotes(votes, object_class, DynamicConfig{});
 }
 
 TEST(Verdict, NoVotesAreStatic) {
@@ -46,17 +41,6 @@ TEST(Verdict, TheShareCountsWhereManyPairsSpeak) {
   EXPECT_FALSE(judge(votes).dynamic) << "4 of 21, 5 are needed";
   votes.push_back(vote(90, 1.0F));
   EXPECT_TRUE(judge(votes).dynamic);
-}
-
-TEST(Verdict, WhatWasFoundAgainHasLeftOnlyWhereItsPlaceIsEmpty) {
-  std::vector<PairVote> half(6, vote(0, -1.0F));
-  std::vector<PairVote> empty = half;
-  half.insert(half.end(), 6, vote(55, 4.0F));
-  empty.insert(empty.end(), 6, vote(95, 4.0F));
-  const ObjectClass car = ObjectClass::kHighMobility;
-  EXPECT_FALSE(judge(half, car, 100).dynamic) << "beams pass over its bonnet";
-  EXPECT_TRUE(judge(half, car, 300).dynamic) << "most of it was not found again";
-  EXPECT_TRUE(judge(empty, car, 100).dynamic) << "it drove away";
 }
 
 TEST(Verdict, WhatCannotMoveMustBeSeenThroughHalfAsOftenAsFoundAgain) {

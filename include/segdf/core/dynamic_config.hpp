@@ -82,8 +82,7 @@ struct DynamicConfig {
     v.number("f_dyn", s.f_dyn, 0.0, 1.0, "", "free share that is a vote for dynamic");
     v.number("f_stat", s.f_stat, 0.0, 1.0, "", "free share up to which it is a vote for static");
     v.number("f_single", s.f_single, 0.0, 1.0, "",
-             "free share that suffices where fewer pairs than votes say anything, and that a vote "
-             "needs against what was found again");
+             "free share that suffices where fewer pairs than votes say anything");
     v.integer("votes", s.votes, 1, 100, "pairs", "votes that make an instance dynamic, at least");
     v.number("vote_share", s.vote_share, 0.0, 1.0, "", "... and this share of the pairs");
     v.integer("split_min", s.split_min, 1, 1000, "points", "smallest dynamic part of an instance");

@@ -14,20 +14,19 @@ struct Verdict {
   bool dynamic = false;
   std::uint32_t pairs = 0;          ///< informative ones
   std::uint32_t needed = 0;         ///< dynamic votes that were asked
-  std::uint32_t dynamic_votes = 0;  ///< HD
+  std::uint32_t dynamic_votes = 0;  ///< HD: F >= df.f_dyn
   std::uint32_t static_votes = 0;   ///< HS: F <= df.f_stat
   float best = 0.0F;                ///< largest F
   Reason reason = Reason::kNoEvidence;
 };
 
-/// Dynamic iff at least max(df.votes, df.vote_share of the informative pairs) have F >= df.f_dyn,
-/// of what isParked F >= df.f_single: where it stood is empty when it has left, while beams that
-/// pass over a bonnet see through a half of what stands. Of what by its class cannot move, half as
-/// many as found it again besides: edges of crowns and of walls are seen through by some. Where
-/// fewer than df.votes informative pairs are df.keep_delay or more apart (the ends of a drive, a
-/// short sight), iff one of these has F >= df.f_single. No informative pair: static.
+/// Dynamic iff at least max(df.votes, df.vote_share of the informative pairs) have F >= df.f_dyn;
+/// of what by its class cannot move, half as many as found it again besides: edges of crowns and of
+/// walls are seen through by some. Where fewer than df.votes informative pairs are df.keep_delay or
+/// more apart (the ends of a drive, a short sight), iff one of these has F >= df.f_single. No
+/// informative pair: static.
 Verdict judgeVotes(const std::vector<PairVote>& votes,
-                   const Segment& segment,
+                   ObjectClass object_class,
                    const DynamicConfig& config);
 
 /// True when a pair that is kParkedSeconds or more apart found a segment again where it is, for the
