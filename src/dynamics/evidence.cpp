@@ -63,7 +63,30 @@ Eigen::MatrixX3f positionsOf(const std::vector<std::uint32_t>& points, const Sca
   return positions;
 }
 
-void listPlaces(const KeyFrame& frame, FrameEvidence& evidence) {
+}  // namespace
+
+bool isFarInTime(double seconds, const DynamicConfig& config) {
+  return std::abs(seconds) >= config.keep_delay - kJitter;
+}
+
+FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config) {
+  const std::vector<Point>& points = frame.scan.points;
+  return {frame.scan.stampSeconds(),
+          0.0,
+          0.0,
+          VisibilityImage(points, frame.seg.roles, config),
+          PlaneMap(points, frame.seg.roles),
+          thinForRegistration(points, frame.seg.roles),
+          {},
+          {},
+          {},
+          {},
+          {},
+          {}};
+}
+
+void listPlaces(KeyFrame& frame) {
+  FrameEvidence& evidence = *frame.evidence;
   std::vector<std::uint32_t> begin;
   const std::vector<std::uint32_t> order = voxelsBySegment(frame, begin);
   std::vector<std::uint32_t> places;
@@ -80,30 +103,7 @@ void listPlaces(const KeyFrame& frame, FrameEvidence& evidence) {
   evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
   evidence.places = positionsOf(places, frame.scan);
   evidence.answers.resize(places.size());
-}
-
-}  // namespace
-
-bool isFarInTime(double seconds, const DynamicConfig& config) {
-  return std::abs(seconds) >= config.keep_delay - kJitter;
-}
-
-FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config) {
-  const std::vector<Point>& points = frame.scan.points;
-  FrameEvidence evidence{frame.scan.stampSeconds(),
-                         0.0,
-                         0.0,
-                         VisibilityImage(points, frame.seg.roles, config),
-                         PlaneMap(points, frame.seg.roles),
-                         thinForRegistration(points, frame.seg.roles),
-                         {},
-                         {},
-                         {},
-                         {},
-                         {},
-                         std::vector<std::vector<PairVote>>(frame.seg.segments.size())};
-  listPlaces(frame, evidence);
-  return evidence;
+  evidence.votes.resize(frame.seg.segments.size());
 }
 
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame) {

@@ -27,10 +27,14 @@ bool VisibilityFilter::isSettled(const Window& window) const {
   return isOutOfReach(window, config_.df);
 }
 
+void VisibilityFilter::prepare(KeyFrame& frame) const {
+  frame.evidence = std::make_shared<FrameEvidence>(prepareEvidence(frame, config_.df));
+}
+
 void VisibilityFilter::observe(const Window& window) {
   nameInstances(window);
   KeyFrame& newest = *window.back();
-  newest.evidence = std::make_shared<FrameEvidence>(prepareEvidence(newest, config_.df));
+  listPlaces(newest);
   if (window.size() < 2) return;
   const KeyFrame& previous = *window[window.size() - 2];
   newest.evidence->way = previous.evidence->way +

@@ -98,14 +98,18 @@ class Pipeline::Impl {
     return entry;
   }
 
-  /// Seg(P_k): segments, describes and classifies a scan. Touches nothing that the filter does.
+  /// Seg(P_k): segments, describes, classifies and prepares a scan. Touches no other frame.
   std::unique_ptr<KeyFrame> segmented(Scan scan, std::size_t index) const {
     auto frame = std::make_unique<KeyFrame>();
     frame->index = index;
     frame->scan = std::move(scan);
     frame->seg = segmentScan(frame->scan, config_, segmentation_threads_, frame->times);
-    const StageTimer timer(frame->times.classification);
-    describeAndClassify(*frame, config_.classes, segmentation_threads_);
+    {
+      const StageTimer timer(frame->times.classification);
+      describeAndClassify(*frame, config_.classes, segmentation_threads_);
+    }
+    const StageTimer timer(frame->times.dynamics);
+    filter_->prepare(*frame);
     return frame;
   }
 

@@ -22,8 +22,12 @@ class DynamicFilter {
   /// True when no further key frame can tell more about the oldest of the window: it may leave.
   virtual bool isSettled(const Window& window) const = 0;
 
-  /// The newest key frame (back of the window) has been segmented and classified: gives its
-  /// segments their instance ids and gathers evidence.
+  /// What a segmented key frame brings to the comparison by itself. May run beside anything that
+  /// is done with other frames; comes before observe().
+  virtual void prepare(KeyFrame& frame) const = 0;
+
+  /// The newest key frame (back of the window) has been segmented, classified and prepared:
+  /// gives its segments their instance ids and gathers evidence.
   virtual void observe(const Window& window) = 0;
 
   /// The frame at `position` is about to leave, or no further frame will come: makes its verdicts

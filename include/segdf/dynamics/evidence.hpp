@@ -62,8 +62,11 @@ struct FrameEvidence {
 /// come with jitter, so that 0.05 s less is enough.
 bool isFarInTime(double seconds, const DynamicConfig& config);
 
-/// Image, planes and points of a segmented key frame; no votes yet.
+/// Image, planes and points of a segmented key frame.
 FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config);
+
+/// Lists the places of the segments, for which nothing has been answered yet.
+void listPlaces(KeyFrame& frame);
 
 /// The answers, for each point of the scan; no answers for points that are in no voxel.
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame);
