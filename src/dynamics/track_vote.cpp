@@ -82,10 +82,13 @@ double secondsOfMotion(const std::vector<Proof>& proofs, const Eigen::Vector3f& 
 }
 
 /// True when something moved where no view of the instance can have its centre. Parts of what
-/// stands may seem seen through from afar, time and again from the place where the ego waits.
+/// stands may seem seen through from afar, time and again from the place where the ego waits; what
+/// has the size of the whole is no part.
 bool wentAway(const std::vector<Proof>& proofs, const Proof& here) {
   return std::any_of(proofs.begin(), proofs.end(), [&](const Proof& proof) {
-    const float room = std::max(0.0F, here.size.x() - proof.size.y()) / 2.0F;
+    const float room = isSameSize(proof.size, here.size)
+                           ? 0.0F
+                           : std::max(0.0F, here.size.x() - proof.size.y()) / 2.0F;
     return (proof.center - here.center).norm() > kAway + static_cast<double>(room);
   });
 }

@@ -96,6 +96,12 @@ TEST_F(TrackVote, WhatSeemsToMoveWhereItStandsIsAViewOfIt) {
   EXPECT_TRUE(goes());
 }
 
+TEST_F(TrackVote, WhatCreptOnAsAWholeNeedsNoCarLengthForIt) {
+  for (int k = 0; k < 10; ++k) addMoving(6.8, 0.1);
+  addStanding(8.0, 0.1);
+  EXPECT_TRUE(goes());
+}
+
 TEST_F(TrackVote, WhatWasFoundHereWhileTheTrackMovedElsewhereIsAnotherObject) {
   for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
   addStanding(8.0, 0.1, 2);
