@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/size_match.hpp"
 #include "segdf/dynamics/verdict.hpp"
@@ -73,11 +74,15 @@ bool isOutvoted(const Track& track, const std::vector<Proof>& past) {
          static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
 
-/// Seconds over which what may be a part of something of this size was proven to move.
-double secondsOfMotion(const std::vector<Proof>& proofs, const Eigen::Vector3f& size) {
+/// Seconds over which what may be a part of the segment was proven to move; of what by its class
+/// cannot move (a hedge before which somebody walks), what has its size.
+double secondsOfMotion(const std::vector<Proof>& proofs, const Segment& segment) {
+  const bool parts = isTested(segment.object_class);
   double seconds = 0.0;
   for (const Proof& proof : proofs) {
-    if (isPartOf(proof.size, size)) seconds += proof.seconds;
+    const bool counts =
+        parts ? isPartOf(proof.size, segment.box.size) : isSameSize(proof.size, segment.box.size);
+    if (counts) seconds += proof.seconds;
   }
   return seconds;
 }
@@ -149,8 +154,8 @@ bool TrackBook::moves(const KeyFrame& frame,
   if (config_.semi_static != SemiStatic::kRemove) return false;
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
-  return secondsOfMotion(proofs, size) >= kStrongSeconds && wentAway(proofs, proofOf(frame, s)) &&
-         !standsApart(frame, s, proofs, config_);
+  return secondsOfMotion(proofs, frame.seg.segments[s]) >= kStrongSeconds &&
+         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_);
 }
 
 std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
