@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/size_match.hpp"
 #include "segdf/dynamics/verdict.hpp"
@@ -27,6 +28,7 @@ constexpr std::size_t kManyMembers = 8;
 constexpr double kFewDynamic = 0.1;  // share of the members
 
 constexpr double kElsewhere = 2.0;  // metres: farther than views of one car differ
+constexpr int kFoundBeyond = 2;     // scans
 constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
 
 using Proof = TrackBook::Proof;
@@ -72,11 +74,15 @@ bool isOutvoted(const Track& track, const std::vector<Proof>& past) {
          static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
 
-/// Seconds over which what may be a part of something of this size was proven to move.
-double secondsOfMotion(const std::vector<Proof>& proofs, const Eigen::Vector3f& size) {
+/// Seconds over which what may be a part of the segment was proven to move; of what by its class
+/// cannot move (a hedge before which somebody walks), what has its size.
+double secondsOfMotion(const std::vector<Proof>& proofs, const Segment& segment) {
+  const bool parts = isTested(segment.object_class);
   double seconds = 0.0;
   for (const Proof& proof : proofs) {
-    if (isPartOf(proof.size, size)) seconds += proof.seconds;
+    const bool counts =
+        parts ? isPartOf(proof.size, segment.box.size) : isSameSize(proof.size, segment.box.size);
+    if (counts) seconds += proof.seconds;
   }
   return seconds;
 }
@@ -93,23 +99,45 @@ bool wentAway(const std::vector<Proof>& proofs, const Proof& here) {
   });
 }
 
-/// True when scans in which the track moved elsewhere found the segment here, for long enough.
+/// The track's proofs of motion that are farther from here than views of one object differ.
+std::vector<Proof> elsewhere(const std::vector<Proof>& proofs, const Proof& here) {
+  const double apart = std::max(kElsewhere, 0.5 * static_cast<double>(here.size.x()));
+  std::vector<Proof> far;
+  std::copy_if(proofs.begin(), proofs.end(), std::back_inserter(far),
+               [&](const Proof& proof) { return (proof.center - here.center).norm() > apart; });
+  return far;
+}
+
+/// True when the track moved elsewhere between the scan of the instance and another.
+bool isBetween(const std::vector<Proof>& far, std::size_t scan, std::size_t other) {
+  const auto [first, last] = std::minmax(scan, other);
+  return std::any_of(far.begin(), far.end(), [first = first, last = last](const Proof& proof) {
+    return proof.scan > first && proof.scan < last;
+  });
+}
+
+/// True when scans in which the track moved elsewhere found the segment here, for long enough; or
+/// when several did on the other side of such scans, and none saw through it: nothing leaves and
+/// comes back to the same place unseen.
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
                  const std::vector<Proof>& proofs,
                  const DynamicConfig& config) {
-  const Proof here = proofOf(frame, segment);
-  const double apart = std::max(kElsewhere, 0.5 * static_cast<double>(here.size.x()));
+  const std::vector<Proof> far = elsewhere(proofs, proofOf(frame, segment));
   const std::size_t points = frame.seg.segments[segment].points.size();
   double seconds = 0.0;
+  int beyond = 0;
+  bool seen_through = false;
   for (const PairVote& vote : frame.evidence->votes[segment]) {
+    seen_through =
+        seen_through || (vote.informative && static_cast<double>(vote.freeShare()) >= config.f_dyn);
     if (!isFoundAgain(vote, points, config)) continue;
-    const auto proof = std::find_if(proofs.begin(), proofs.end(), [&](const Proof& candidate) {
-      return candidate.scan == vote.scan && (candidate.center - here.center).norm() > apart;
-    });
-    if (proof != proofs.end()) seconds += proof->seconds;
+    const auto proof =
+        std::find_if(far.begin(), far.end(), [&](const Proof& p) { return p.scan == vote.scan; });
+    if (proof != far.end()) seconds += proof->seconds;
+    beyond += isBetween(far, frame.index, vote.scan) ? 1 : 0;
   }
-  return seconds >= kElsewhereSeconds;
+  return seconds >= kElsewhereSeconds || (beyond >= kFoundBeyond && !seen_through);
 }
 
 }  // namespace
@@ -126,8 +154,8 @@ bool TrackBook::moves(const KeyFrame& frame,
   if (config_.semi_static != SemiStatic::kRemove) return false;
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
-  return secondsOfMotion(proofs, size) >= kStrongSeconds && wentAway(proofs, proofOf(frame, s)) &&
-         !standsApart(frame, s, proofs, config_);
+  return secondsOfMotion(proofs, frame.seg.segments[s]) >= kStrongSeconds &&
+         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_);
 }
 
 std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {

@@ -114,6 +114,33 @@ TEST_F(TrackVote, OfKeyFramesFarApartOneSuchScanSays) {
   EXPECT_FALSE(goes());
 }
 
+// A cyclist passes a parked car closely and takes its id along.
+TEST_F(TrackVote, WhatIsFoundAgainAfterTheTrackHasMovedOnIsAnotherObject) {
+  KeyFrame& parked = addStanding(0.0, 0.1, 9);  // the first of its three is among the proofs
+  for (int k = 0; k < 9; ++k) addMoving(3.0 + k, 0.1);
+  TrackBook(config_).propagate(window_, 0);
+  EXPECT_FALSE(parked.instances[0].dynamic);
+}
+
+TEST_F(TrackVote, NotIfOneSawThroughItOnceTheTrackWasGone) {
+  KeyFrame& leaving = addStanding(0.0, 0.1, 9);
+  leaving.evidence->votes[0].push_back({8, 0.8F, kPoints, 0, true});
+  for (int k = 0; k < 9; ++k) addMoving(3.0 + k, 0.1);
+  TrackBook(config_).propagate(window_, 0);
+  EXPECT_TRUE(leaving.instances[0].dynamic) << "another car stands in its place now";
+}
+
+TEST_F(TrackVote, WhoWalksBeforeAHedgeDoesNotTakeItAlong) {
+  const Eigen::Vector3f walker(0.6F, 0.5F, 1.7F);
+  for (int k = 0; k < 20; ++k) addMoving(1.0 * k, 0.1, walker);
+  KeyFrame& hedge = addStanding(24.0, 0.1);
+  hedge.seg.segments[0].object_class = ObjectClass::kVegetation;
+  EXPECT_FALSE(goes());
+  hedge.instances[0].dynamic = false;
+  hedge.seg.segments[0].object_class = ObjectClass::kUnknown;
+  EXPECT_TRUE(goes());
+}
+
 TEST_F(TrackVote, AtTheEndOfADriveNoProofCountsTwice) {
   for (int k = 0; k < 4; ++k) addMoving(2.0 * k, 0.1);
   addStanding(8.0, 0.1);
