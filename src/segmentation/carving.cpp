@@ -138,18 +138,6 @@ class BorderWalk {
   Border border_;
 };
 
-std::vector<std::int32_t> clusterOfPoints(std::size_t points,
-                                          const CurvedVoxels& voxels,
-                                          const Clusters& clusters) {
-  std::vector<std::int32_t> cluster(points, Clusters::kNoise);
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
-      cluster[voxels.points[k]] = clusters.of_voxel[v];
-    }
-  }
-  return cluster;
-}
-
 /// The most frequent value, of equally frequent ones the smallest.
 std::int32_t mostFrequent(std::vector<std::int32_t>& values) {
   std::sort(values.begin(), values.end());

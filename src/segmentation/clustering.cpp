@@ -104,6 +104,18 @@ Clusters numberClusters(const CurvedVoxels& voxels,
 
 }  // namespace
 
+std::vector<std::int32_t> clusterOfPoints(std::size_t points,
+                                          const CurvedVoxels& voxels,
+                                          const Clusters& clusters) {
+  std::vector<std::int32_t> cluster(points, Clusters::kNoise);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+      cluster[voxels.points[k]] = clusters.of_voxel[v];
+    }
+  }
+  return cluster;
+}
+
 bool fitsMovableObject(const Eigen::AlignedBox3f& bounds, const CurvedVoxelConfig& config) {
   const Eigen::Vector3d size = bounds.sizes().cast<double>();
   return std::hypot(size.x(), size.y()) <= config.merge_diagonal &&

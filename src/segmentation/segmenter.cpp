@@ -81,15 +81,10 @@ std::vector<KeyedPoint> objectKeys(const Scan& scan,
 std::vector<Segment> collectSegments(const Scan& scan,
                                      const CurvedVoxels& voxels,
                                      const Clusters& clusters) {
-  std::vector<std::int32_t> of_point(scan.points.size(), Clusters::kNoise);
+  const std::vector<std::int32_t> of_point = clusterOfPoints(scan.points.size(), voxels, clusters);
   std::vector<std::size_t> sizes(clusters.count, 0);
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    const std::int32_t cluster = clusters.of_voxel[v];
-    if (cluster == Clusters::kNoise) continue;
-    sizes[static_cast<std::size_t>(cluster)] += voxels.count(v);
-    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
-      of_point[voxels.points[k]] = cluster;
-    }
+  for (std::int32_t cluster : of_point) {
+    if (cluster != Clusters::kNoise) ++sizes[static_cast<std::size_t>(cluster)];
   }
   std::vector<Segment> segments(clusters.count);
   for (std::size_t s = 0; s < segments.size(); ++s) segments[s].points.reserve(sizes[s]);

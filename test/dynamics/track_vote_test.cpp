@@ -51,6 +51,22 @@ class TrackVote : public ::testing::Test {
     return frame;
   }
 
+  /// As its votes do.
+  static void makeDynamic(KeyFrame& frame) {
+    frame.instances[0].dynamic = true;
+    frame.instances[0].reason = Reason::kVotes;
+  }
+
+  /// Eight scans of motion that have left the window.
+  void moveThroughTheWindow(TrackBook& tracks) {
+    for (int k = 0; k < 8; ++k) {
+      addMoving(1.0 * k, 0.1);
+      makeDynamic(*window_.back());
+      tracks.note(*window_.back());
+    }
+    window_.clear();
+  }
+
   /// The verdict by track on the newest frame.
   bool goes() {
     TrackBook(config_).propagate(window_, window_.size() - 1);
@@ -146,8 +162,7 @@ TEST_F(TrackVote, AtTheEndOfADriveNoProofCountsTwice) {
   addStanding(8.0, 0.1);
   TrackBook tracks(config_);
   for (std::size_t k = 0; k + 1 < window_.size(); ++k) {
-    window_[k]->instances[0].dynamic = true;
-    window_[k]->instances[0].reason = Reason::kVotes;
+    makeDynamic(*window_[k]);
     tracks.propagate(window_, k);
     tracks.note(*window_[k]);
   }
@@ -172,13 +187,7 @@ TEST_F(TrackVote, OfFewMembersNoneIsRestored) {
 
 TEST_F(TrackVote, WhatMovedBeforeTheWindowIsNotRestored) {
   TrackBook tracks(config_);
-  for (int k = 0; k < 8; ++k) {
-    addMoving(1.0 * k, 0.1);
-    window_.back()->instances[0].dynamic = true;
-    window_.back()->instances[0].reason = Reason::kVotes;
-    tracks.note(*window_.back());
-  }
-  window_.clear();
+  moveThroughTheWindow(tracks);
   addMoving(8.0, 0.1);
   KeyFrame& last_that_moved = *frames_.back();
   last_that_moved.instances[0].dynamic = true;
@@ -189,13 +198,7 @@ TEST_F(TrackVote, WhatMovedBeforeTheWindowIsNotRestored) {
 
 TEST_F(TrackVote, WhatLeftTheWindowIsRemembered) {
   TrackBook tracks(config_);
-  for (int k = 0; k < 8; ++k) {
-    addMoving(1.0 * k, 0.1);
-    window_.back()->instances[0].dynamic = true;
-    window_.back()->instances[0].reason = Reason::kVotes;
-    tracks.note(*window_.back());
-  }
-  window_.clear();
+  moveThroughTheWindow(tracks);
   addStanding(8.0, 0.1);
   tracks.propagate(window_, 0);
   EXPECT_TRUE(frames_.back()->instances[0].dynamic);

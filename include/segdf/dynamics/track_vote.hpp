@@ -17,9 +17,8 @@ namespace segdf {
 /// goes (a car that stops at lights), and its track moved for 0.75 s, in the past too, and away
 /// from here; not so where it was found again by frames in which the track moved elsewhere, or on
 /// the other side of these in time: then another object stands here, and the id has passed on to
-/// it. What the votes make dynamic is
-/// restored when hardly any of many members of its track are (compensation). Memory: tracks that
-/// have left the window are forgotten.
+/// it. What the votes make dynamic is restored when hardly any of many members of its track are
+/// (compensation). Memory: tracks that have left the window are forgotten.
 class TrackBook {
  public:
   /// An instance that the votes made dynamic.

@@ -32,6 +32,11 @@ Clusters clusterVoxels(const std::vector<Point>& points,
                        const CurvedGrid& grid,
                        const CurvedVoxelConfig& config);
 
+/// The cluster of each point of the scan, kNoise for points in none.
+std::vector<std::int32_t> clusterOfPoints(std::size_t points,
+                                          const CurvedVoxels& voxels,
+                                          const Clusters& clusters);
+
 /// True iff a box is no larger than one movable object (condition s3 of method.md 4.5). Metres.
 bool fitsMovableObject(const Eigen::AlignedBox3f& bounds, const CurvedVoxelConfig& config);
 
