@@ -24,20 +24,20 @@ struct MovedPoint {
 };
 
 std::vector<MovedPoint> movePoints(const KeyFrame& from,
+                                   const PointsBySegment& points,
                                    const Pose& to_T_from,
                                    const CurvedGrid& grid,
                                    int threads) {
-  std::vector<std::vector<MovedPoint>> moved(from.seg.segments.size());
-  parallelFor(moved.size(), threads, [&](std::size_t s) {
-    for (std::uint32_t i : from.seg.segments[s].points) {
+  std::vector<MovedPoint> moved(points.points.size());
+  parallelFor(points.begin.size() - 1, threads, [&](std::size_t s) {
+    for (std::uint32_t k = points.begin[s]; k < points.begin[s + 1]; ++k) {
+      const std::uint32_t i = points.points[k];
       const Eigen::Vector3d x = to_T_from * from.scan.points[i].position().cast<double>();
       // A point too near to the other sensor has no cell there; key 0 is in nobody's neighbourhood.
-      moved[s].push_back({grid.keyOf(x).value_or(0), static_cast<std::uint32_t>(s), i});
+      moved[k] = {grid.keyOf(x).value_or(0), static_cast<std::uint32_t>(s), i};
     }
   });
-  std::vector<MovedPoint> all;
-  for (const auto& part : moved) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return moved;
 }
 
 /// Order of `points` by cell, then segment, then point.
@@ -94,12 +94,22 @@ double SegmentOverlap::overlap(const Neighbour& neighbour) const {
   return voxels == 0 ? 0.0 : static_cast<double>(neighbour.voxels) / static_cast<double>(voxels);
 }
 
+PointsBySegment pointsOfSegments(const KeyFrame& frame) {
+  PointsBySegment result{{0}, {}};
+  for (const Segment& segment : frame.seg.segments) {
+    result.points.insert(result.points.end(), segment.points.begin(), segment.points.end());
+    result.begin.push_back(static_cast<std::uint32_t>(result.points.size()));
+  }
+  return result;
+}
+
 std::vector<SegmentOverlap> overlapSegments(const KeyFrame& from,
+                                            const PointsBySegment& from_points,
                                             const KeyFrame& to,
                                             const CurvedGrid& grid,
                                             int threads) {
   const Pose to_T_from = to.scan.pose.inverse() * from.scan.pose;
-  const std::vector<MovedPoint> points = movePoints(from, to_T_from, grid, threads);
+  const std::vector<MovedPoint> points = movePoints(from, from_points, to_T_from, grid, threads);
   const std::vector<std::uint32_t> order = orderByCell(points);
   std::vector<CurvedGrid::Key> keys;
   for (std::uint32_t k : order) {
@@ -107,7 +117,7 @@ std::vector<SegmentOverlap> overlapSegments(const KeyFrame& from,
   }
   const std::vector<Surroundings> around = lookAround(keys, to, grid);
 
-  std::vector<SegmentOverlap> overlaps(from.seg.segments.size());
+  std::vector<SegmentOverlap> overlaps(from_points.begin.size() - 1);
   std::size_t cell = 0;
   const MovedPoint* previous = nullptr;
   for (std::uint32_t k : order) {

@@ -106,6 +106,15 @@ void listPlaces(KeyFrame& frame) {
   evidence.votes.resize(frame.seg.segments.size());
 }
 
+PointsBySegment placePoints(const KeyFrame& frame) {
+  const FrameEvidence& evidence = *frame.evidence;
+  PointsBySegment result{{evidence.begin.begin(), evidence.begin.end() - 1}, {}};
+  for (std::uint32_t k = 0; k < result.begin.back(); ++k) {
+    result.points.push_back(evidence.listed[evidence.first[k]]);
+  }
+  return result;
+}
+
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame) {
   const FrameEvidence& evidence = *frame.evidence;
   std::vector<PlaceEvidence> by_point(frame.scan.points.size());

@@ -18,7 +18,8 @@ void LiteralFilter::observe(const Window& window) {
     return;
   }
   KeyFrame& previous = *window[window.size() - 2];
-  std::vector<SegmentOverlap> overlaps = overlapSegments(previous, newest, grid_, threads_);
+  std::vector<SegmentOverlap> overlaps =
+      overlapSegments(previous, pointsOfSegments(previous), newest, grid_, threads_);
   fuseSegments(previous, newest, config_, overlaps);
   passOnIds(previous, newest, overlaps, config_.df, ids_);
   judge(previous, overlaps);
@@ -27,7 +28,8 @@ void LiteralFilter::observe(const Window& window) {
 void LiteralFilter::decide(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
   if (frame.judged || position == 0) return;
-  judge(frame, overlapSegments(frame, *window[position - 1], grid_, threads_));
+  judge(frame,
+        overlapSegments(frame, pointsOfSegments(frame), *window[position - 1], grid_, threads_));
 }
 
 void LiteralFilter::judge(KeyFrame& frame, const std::vector<SegmentOverlap>& overlaps) {

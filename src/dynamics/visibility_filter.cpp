@@ -51,7 +51,8 @@ void VisibilityFilter::nameInstances(const Window& window) {
     return;
   }
   const KeyFrame& previous = *window[window.size() - 2];
-  std::vector<SegmentOverlap> overlaps = overlapSegments(previous, newest, grid_, threads_);
+  std::vector<SegmentOverlap> overlaps =
+      overlapSegments(previous, placePoints(previous), newest, grid_, threads_);
   fuseSegments(previous, newest, config_, overlaps);
   passOnIds(previous, newest, overlaps, config_.df, ids_);
 }

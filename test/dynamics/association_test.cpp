@@ -20,7 +20,8 @@ class Association : public ::testing::Test {
     const auto before = makeKeyFrame(world.scan(0.0, 0.0, 0.0, 1), config_);
     world.moveTo(car, 8.0 + dx, 3.0);
     const auto after = makeKeyFrame(world.scan(0.0, 0.0, 0.0, 2), config_);
-    return overlapSegments(*before, *after, grid_, 1)[segmentAt(*before, 8.0, 3.0)];
+    return overlapSegments(*before, pointsOfSegments(*before), *after, grid_,
+                           1)[segmentAt(*before, 8.0, 3.0)];
   }
 
   Config config_;
@@ -30,7 +31,7 @@ class Association : public ::testing::Test {
 /// method.md 6.11: a scan against itself finds every voxel again.
 TEST_F(Association, AScanAgainstItselfIsFullyOccupied) {
   const auto frame = makeKeyFrame(test::makeStreet().scan(0.0, 0.0, 20.0, 1), config_);
-  const auto overlaps = overlapSegments(*frame, *frame, grid_, 1);
+  const auto overlaps = overlapSegments(*frame, pointsOfSegments(*frame), *frame, grid_, 1);
   ASSERT_EQ(overlaps.size(), frame->seg.segments.size());
   for (std::size_t s = 0; s < overlaps.size(); ++s) {
     EXPECT_EQ(overlaps[s].occupancy(), 1.0);
@@ -67,7 +68,7 @@ TEST_F(Association, TheEgoMotionIsTakenOut) {
   world.add(8.0, 3.0, 4.2, 1.8, 1.5);
   const auto before = makeKeyFrame(world.scan(0.0, 0.0, 0.0, 1), config_);
   const auto after = makeKeyFrame(world.scan(0.8, 0.1, 5.0, 2), config_);
-  const auto overlaps = overlapSegments(*before, *after, grid_, 1);
+  const auto overlaps = overlapSegments(*before, pointsOfSegments(*before), *after, grid_, 1);
   // The step changes which side is seen: method.md 6.3 measured a 10 % quantile of .90 at 0.7 m.
   EXPECT_GT(overlaps[segmentAt(*before, 8.0, 3.0)].occupancy(), 0.85);
 }
@@ -83,8 +84,8 @@ TEST_F(Association, ThereAndBackIsTheIdentity) {
 TEST_F(Association, SameOnTwoThreads) {
   const auto a = makeKeyFrame(test::makeStreet().scan(0.0, 0.0, 0.0, 1), config_);
   const auto b = makeKeyFrame(test::makeStreet().scan(1.0, 0.0, 0.0, 2), config_);
-  const auto one = overlapSegments(*a, *b, grid_, 1);
-  const auto two = overlapSegments(*a, *b, grid_, 2);
+  const auto one = overlapSegments(*a, pointsOfSegments(*a), *b, grid_, 1);
+  const auto two = overlapSegments(*a, pointsOfSegments(*a), *b, grid_, 2);
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t s = 0; s < one.size(); ++s) {
     EXPECT_EQ(one[s].voxels, two[s].voxels);

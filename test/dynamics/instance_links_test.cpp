@@ -28,7 +28,7 @@ class FusionTest : public ::testing::Test {
     from_ = makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 1), config_);
     to_ = makeKeyFrame(halves.scan(0.0, 0.0, 0.0, 2), config_);
     for (Instance& instance : from_->instances) instance.id = ids_.next();
-    overlaps_ = overlapSegments(*from_, *to_, grid_, 1);
+    overlaps_ = overlapSegments(*from_, pointsOfSegments(*from_), *to_, grid_, 1);
   }
 
   Config config_;
@@ -96,7 +96,8 @@ class GrowingCarTest : public ::testing::Test {
     Instance& car = from->instances[segmentAt(*from, 14.0, 8.0)];
     car.velocity.x() = speed;
     const CurvedGrid grid(config_.cvi, config_.input.min_range);
-    passOnIds(*from, *to, overlapSegments(*from, *to, grid, 1), config_.df, ids);
+    passOnIds(*from, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1), config_.df,
+              ids);
     return to->instances[segmentAt(*to, 18.5, 8.0)].id == car.id;
   }
 

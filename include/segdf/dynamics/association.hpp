@@ -30,10 +30,21 @@ struct SegmentOverlap {
   double overlap(const Neighbour& neighbour) const;
 };
 
-/// Moves the points of every segment of `from` into the sensor frame of `to` (X = T_to^-1 T_from),
-/// puts them into its curved grid and looks at the 27 cells around each voxel. One entry per
-/// segment of `from`.
+/// Indices into a scan by segment: points[begin[s]] .. points[begin[s + 1] - 1] stand for segment
+/// s.
+struct PointsBySegment {
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> points;
+};
+
+/// All points of every segment.
+PointsBySegment pointsOfSegments(const KeyFrame& frame);
+
+/// Moves the points that stand for the segments of `from` into the sensor frame of `to`
+/// (X = T_to^-1 T_from), puts them into its curved grid and looks at the 27 cells around each
+/// voxel. One entry per segment of `from`.
 std::vector<SegmentOverlap> overlapSegments(const KeyFrame& from,
+                                            const PointsBySegment& points,
                                             const KeyFrame& to,
                                             const CurvedGrid& grid,
                                             int threads);

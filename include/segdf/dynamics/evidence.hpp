@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "segdf/core/config.hpp"
+#include "segdf/dynamics/association.hpp"
 #include "segdf/dynamics/frame.hpp"
 #include "segdf/dynamics/plane_map.hpp"
 #include "segdf/dynamics/visibility_image.hpp"
@@ -67,6 +68,9 @@ FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config
 
 /// Lists the places of the segments, for which nothing has been answered yet.
 void listPlaces(KeyFrame& frame);
+
+/// One point for each place of the segments.
+PointsBySegment placePoints(const KeyFrame& frame);
 
 /// The answers, for each point of the scan; no answers for points that are in no voxel.
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame);
