@@ -59,12 +59,14 @@ std::vector<float> calibrateIntensity(const std::vector<Point>& points,
                                       const IntensityConfig& config) {
   const IntensityModel model = intensityModel(config.profile);
   const double scale = config.full_scale > 0.0 ? config.full_scale : model.full_scale;
+  const bool by_angle = model.incidence_exponent != 0.0;
   std::vector<float> result(points.size(), 0.0F);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points[i].intensity) || !isFinite(points[i])) continue;
     const Eigen::Vector3d x = points[i].position().cast<double>();
+    const auto cosine = by_angle ? cosineOf(x, surfaces[i]) : std::nullopt;
     const double value = std::max(0.0, static_cast<double>(points[i].intensity)) / scale *
-                         calibrationGain(x.norm(), cosineOf(x, surfaces[i]), model, config);
+                         calibrationGain(x.norm(), cosine, model, config);
     result[i] = static_cast<float>(model.clip ? std::min(value, 1.0) : value);
   }
   return result;

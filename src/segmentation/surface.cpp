@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include <Eigen/Core>
@@ -31,44 +32,53 @@ constexpr float kSteepness = 1e9F;
 
 using Lane = Eigen::Array<float, kLanes, 1>;
 
-/// Some rows of the range image as plain arrays, with a rim of neighbouring rows and of wrapped
-/// columns, so that windows need no bounds.
+/// Every second column of some rows of the range image, as plain arrays.
+struct Comb {
+  std::vector<float> x, y, z, range;
+
+  explicit Comb(std::size_t size)
+      : x(size, 0.0F), y(size, 0.0F), z(size, 0.0F), range(size, kEmptyRange) {}
+};
+
+/// Some rows of the range image, even and odd columns apart, so that every second cell's
+/// neighbours lie side by side; with a rim of neighbouring rows and of wrapped columns, so that
+/// windows need no bounds.
 struct Band {
   std::size_t stride;
-  std::vector<float> x, y, z, range;
+  std::array<Comb, 2> combs;
 
   Band(const std::vector<Point>& points, const RangeImage& image, int first_row, int rows);
 
-  /// Of a cell; row counted from the band's first.
+  /// Of a cell in an even column; row counted from the band's first.
   std::size_t at(std::size_t row, std::size_t column) const {
-    return (row + kHalfRows) * stride + column + kHalfColumns;
+    return (row + kHalfRows) * stride + (column + kHalfColumns) / 2;
   }
 };
 
 Band::Band(const std::vector<Point>& points, const RangeImage& image, int first_row, int rows)
-    : stride(static_cast<std::size_t>(image.columns()) + 2 * kHalfColumns + kLanes) {
-  const std::size_t size = (static_cast<std::size_t>(rows) + 2 * kHalfRows) * stride;
-  x.assign(size, 0.0F);
-  y.assign(size, 0.0F);
-  z.assign(size, 0.0F);
-  range.assign(size, kEmptyRange);
+    : stride(static_cast<std::size_t>(image.columns()) / 2 + kHalfColumns + kLanes + 1),
+      combs{Comb((static_cast<std::size_t>(rows) + 2 * kHalfRows) * stride),
+            Comb((static_cast<std::size_t>(rows) + 2 * kHalfRows) * stride)} {
   const int rim = static_cast<int>(kHalfColumns);
   std::size_t line = 0;
-  for (int row = first_row - static_cast<int>(kHalfRows); line < size; ++row, line += stride) {
-    std::size_t cell = line;
-    for (int column = -rim; column < image.columns() + rim; ++column, ++cell) {
+  for (int row = first_row - static_cast<int>(kHalfRows); line < combs[0].x.size();
+       ++row, line += stride) {
+    for (int column = -rim; column < image.columns() + rim; ++column) {
       const std::int32_t i = image.at(row, column);
       if (i == RangeImage::kNone) continue;
+      const auto place = static_cast<std::size_t>(column + rim);
+      Comb& comb = combs[place % 2];
+      const std::size_t cell = line + place / 2;
       const Point& p = points[static_cast<std::size_t>(i)];
-      x[cell] = p.x;
-      y[cell] = p.y;
-      z[cell] = p.z;
-      range[cell] = image.rangeOf(static_cast<std::size_t>(i));
+      comb.x[cell] = p.x;
+      comb.y[cell] = p.y;
+      comb.z[cell] = p.z;
+      comb.range[cell] = image.rangeOf(static_cast<std::size_t>(i));
     }
   }
 }
 
-/// Moments of the windows around kLanes cells side by side.
+/// Moments of the windows around kLanes cells, every second of a row.
 struct LaneMoments {
   Lane n = Lane::Zero(), x = n, y = n, z = n, xx = n, xy = n, xz = n, yy = n, yz = n, zz = n;
 
@@ -96,23 +106,24 @@ LaneMoments windowMoments(const Band& band, std::size_t centre, const RangeImage
   const auto load = [](const std::vector<float>& values, std::size_t cell) {
     return Lane(Lane::Map(values.data() + cell));
   };
-  const Lane x0 = load(band.x, centre);
-  const Lane y0 = load(band.y, centre);
-  const Lane z0 = load(band.z, centre);
-  const Lane range0 = load(band.range, centre);
+  const Lane x0 = load(band.combs[0].x, centre);
+  const Lane y0 = load(band.combs[0].y, centre);
+  const Lane z0 = load(band.combs[0].z, centre);
+  const Lane range0 = load(band.combs[0].range, centre);
   const Lane gate = (static_cast<float>(config.gate_ratio) * range0)
                         .max(Lane::Constant(static_cast<float>(config.gate)));
-  const std::size_t corner = centre - kHalfRows * band.stride - kHalfColumns;
+  const std::size_t corner = centre - kHalfRows * band.stride - kHalfColumns / 2;
   LaneMoments m;
   for (std::size_t row = 0; row <= 2 * kHalfRows; ++row) {
     for (std::size_t column = 0; column <= 2 * kHalfColumns; ++column) {
-      const std::size_t cell = corner + row * band.stride + column;
+      const Comb& comb = band.combs[column % 2];
+      const std::size_t cell = corner + row * band.stride + column / 2;
       // 1 inside the gate and 0 outside, without a branch.
-      const Lane inside = (gate - (load(band.range, cell) - range0).abs()) * kSteepness;
+      const Lane inside = (gate - (load(comb.range, cell) - range0).abs()) * kSteepness;
       const Lane w = inside.max(Lane::Zero()).min(Lane::Ones());
-      const Lane dx = w * (load(band.x, cell) - x0);
-      const Lane dy = w * (load(band.y, cell) - y0);
-      const Lane dz = w * (load(band.z, cell) - z0);
+      const Lane dx = w * (load(comb.x, cell) - x0);
+      const Lane dy = w * (load(comb.y, cell) - y0);
+      const Lane dz = w * (load(comb.z, cell) - z0);
       m.n += w;
       m.x += dx;
       m.y += dy;
@@ -158,10 +169,10 @@ void describeBand(const std::vector<Point>& points,
     return is_object ? i : RangeImage::kNone;
   };
   for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < image.columns(); column += static_cast<int>(kLanes)) {
+    for (int column = 0; column < image.columns(); column += 2 * static_cast<int>(kLanes)) {
       std::array<std::int32_t, kLanes> centres{};
       for (int l = 0; l < static_cast<int>(kLanes); ++l) {
-        centres[static_cast<std::size_t>(l)] = wanted(first_row + row, column + l);
+        centres[static_cast<std::size_t>(l)] = wanted(first_row + row, column + 2 * l);
       }
       if (*std::max_element(centres.begin(), centres.end()) == RangeImage::kNone) continue;
       const std::size_t cell =
@@ -176,18 +187,27 @@ void describeBand(const std::vector<Point>& points,
   }
 }
 
-/// Several points may fall into one cell, of which the image holds the nearest: the others have its
-/// surface when they lie on it.
+/// Gives the other object points the surface of a described cell, their own or one beside it, when
+/// they lie on it: points of odd columns, and those behind the nearest of a cell.
 void shareSurfaces(const std::vector<PointRole>& roles,
                    const RangeImage& image,
                    const RangeImageConfig& config,
                    std::vector<Surface>& surfaces) {
   for (std::size_t i = 0; i < roles.size(); ++i) {
     if (roles[i] != PointRole::kObject) continue;
-    const auto shown = static_cast<std::size_t>(image.at(image.rowOf(i), image.columnOf(i)));
-    if (shown == i || roles[shown] != PointRole::kObject) continue;
-    if (image.rangeOf(i) - image.rangeOf(shown) <= gateAt(image.rangeOf(i), config)) {
-      surfaces[i] = surfaces[shown];
+    const int row = image.rowOf(i);
+    const int column = image.columnOf(i);
+    const bool described = column % 2 == 0;
+    if (described && image.at(row, column) == static_cast<std::int32_t>(i)) continue;
+    float nearest = gateAt(image.rangeOf(i), config);
+    for (int beside = described ? 0 : -1; beside <= (described ? 0 : 1); beside += 2) {
+      const std::int32_t shown = image.at(row, column + beside);
+      if (shown == RangeImage::kNone) continue;
+      const auto k = static_cast<std::size_t>(shown);
+      const float away = std::abs(image.rangeOf(i) - image.rangeOf(k));
+      if (roles[k] != PointRole::kObject || away > nearest) continue;
+      nearest = away;
+      surfaces[i] = surfaces[k];
     }
   }
 }

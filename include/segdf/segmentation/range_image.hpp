@@ -54,7 +54,8 @@ class RangeImage {
 };
 
 /// Normals and change of curvature of the object points, from windows of 5 rows by 9 columns with a
-/// gate in range; PCA over at least 6 neighbours (method.md 3.6).
+/// gate in range; PCA over at least 6 neighbours (method.md 3.6). Made for every second column, of
+/// which the points between have theirs: windows around neighbours hold nearly the same points.
 std::vector<Surface> estimateSurfaces(const std::vector<Point>& points,
                                       const std::vector<PointRole>& roles,
                                       const RangeImage& image,
