@@ -2,7 +2,6 @@
 #include "segdf/dynamics/area_index.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace segdf {
@@ -23,7 +22,7 @@ AreaIndex::AreaIndex(const std::vector<Point>& points, const std::vector<PointRo
 
 int AreaIndex::cellAt(float coordinate) {
   constexpr int kHalf = kSide / 2;
-  const float cell = std::floor(coordinate / kCell) + static_cast<float>(kHalf);
+  const float cell = coordinate / kCell + static_cast<float>(kHalf);
   return static_cast<int>(std::clamp(cell, 0.0F, static_cast<float>(kSide - 1)));
 }
 

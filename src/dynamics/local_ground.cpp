@@ -23,6 +23,30 @@ constexpr double kScaleBelow = 0.10;
 // on the road beside it.
 constexpr double kNear = 2.0;
 
+/// A ground point as the fit uses it.
+struct Sample {
+  Eigen::Vector3d row;  ///< place from the centre, metres; 1
+  double z = 0.0;       ///< metres
+  double weight = 0.0;  ///< by the distance from the area
+};
+
+/// Some kMaxPoints of the points.
+std::vector<Sample> thinned(const std::vector<Eigen::Vector3f>& ground,
+                            const Eigen::AlignedBox2f& area,
+                            const Eigen::Vector2f& center) {
+  std::vector<Sample> samples;
+  const std::size_t stride = ground.size() / kMaxPoints + 1;
+  for (std::size_t k = 0; k < ground.size(); k += stride) {
+    const Eigen::Vector2f place = ground[k].head<2>();
+    const Eigen::Vector2d from_center = (place - center).cast<double>();
+    const auto away = static_cast<double>(area.exteriorDistance(place));
+    const double near = 1.0 / (1.0 + away * away / (kNear * kNear));
+    samples.push_back(
+        {{from_center.x(), from_center.y(), 1.0}, static_cast<double>(ground[k].z()), near * near});
+  }
+  return samples;
+}
+
 }  // namespace
 
 LocalGround::LocalGround(const KeyFrame& frame,
@@ -43,23 +67,18 @@ LocalGround::LocalGround(const KeyFrame& frame,
 void LocalGround::fit(const std::vector<Eigen::Vector3f>& ground, const Eigen::AlignedBox2f& area) {
   for (const Eigen::Vector3f& x : ground) center_ += x.head<2>();
   center_ /= static_cast<float>(ground.size());
-  const std::size_t stride = ground.size() / kMaxPoints + 1;
+  const std::vector<Sample> samples = thinned(ground, area, center_);
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
   for (int step = 0; step < kSteps; ++step) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < ground.size(); k += stride) {
-      const Eigen::Vector3d row =
-          (Eigen::Vector3f() << ground[k].head<2>() - center_, 1.0F).finished().cast<double>();
-      const auto z = static_cast<double>(ground[k].z());
-      const double off = step == 0 ? 0.0 : z - row.dot(plane);
+    for (const Sample& sample : samples) {
+      const double off = step == 0 ? 0.0 : sample.z - sample.row.dot(plane);
       const double scaled = off / (off > 0.0 ? kScaleAbove : kScaleBelow);
       const double root = 1.0 / (1.0 + scaled * scaled);
-      const auto away = static_cast<double>(area.exteriorDistance(ground[k].head<2>().eval()));
-      const double near = 1.0 / (1.0 + away * away / (kNear * kNear));
-      const double weight = root * root * near * near;
-      normal += weight * row * row.transpose();
-      right += weight * z * row;
+      const double weight = root * root * sample.weight;
+      normal += weight * sample.row * sample.row.transpose();
+      right += weight * sample.z * sample.row;
     }
     normal.diagonal().head<2>().array() += kFlatness * normal(2, 2);  // (2, 2): the sum of weights
     plane = normal.ldlt().solve(right);
