@@ -29,6 +29,9 @@ std::string sentence(const segdf::EvidenceRow& row) {
   if (row.reason == "track") return "goes with its track, which moves; " + votes;
   if (row.reason == "split") return "split off " + std::to_string(row.parent) + ": this part moved";
   if (row.reason == "kept") return "split off " + std::to_string(row.parent) + ": this part stood";
+  if (row.reason == "left") {
+    return "all its points up to here, since it has left: later scans saw through its place";
+  }
   return votes;
 }
 

@@ -35,6 +35,8 @@ std::string toString(Reason reason) {
       return "split";
     case Reason::kKept:
       return "kept";
+    case Reason::kLeft:
+      return "left";
     case Reason::kNoEvidence:
       break;
   }

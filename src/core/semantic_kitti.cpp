@@ -49,9 +49,23 @@ bool isGround(std::uint16_t semantic_class) {
   return std::find(kGround.begin(), kGround.end(), semantic_class) != kGround.end();
 }
 
+std::uint16_t shortId(std::uint32_t instance) {
+  if (instance == 0) return 0;
+  return static_cast<std::uint16_t>((instance - 1) % kMaxInstance + 1);
+}
+
 std::uint32_t encode(const PointLabel& label) {
-  const std::uint32_t instance = label.instance <= kMaxInstance ? label.instance : 0;
-  return (instance << 16U) | semanticClass(label);
+  return (std::uint32_t{shortId(label.instance)} << 16U) | semanticClass(label);
+}
+
+std::size_t revoke(std::vector<std::uint32_t>& labels, std::uint32_t instance) {
+  std::size_t count = 0;
+  for (std::uint32_t& label : labels) {
+    if (instanceOf(label) != shortId(instance) || classOf(label) == kDynamic) continue;
+    label = (label & ~std::uint32_t{0xFFFF}) | kDynamic;
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace segdf::semantic_kitti

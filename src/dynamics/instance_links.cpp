@@ -16,10 +16,8 @@ namespace segdf {
 
 namespace {
 
-constexpr double kMotionGate = 2.5;     // metres from where an instance is expected
-constexpr double kPartGate = 1.0;       // the same for more or less of it than was seen before
-constexpr float kLongestMover = 19.0F;  // metres: an articulated bus
-constexpr float kHighestMover = 4.5F;   // metres
+constexpr double kMotionGate = 2.5;  // metres from where an instance is expected
+constexpr double kPartGate = 1.0;    // the same for more or less of it than was seen before
 
 /// Segments of `to` that instance `s` of `from` makes one; fewer than two when it fuses nothing.
 std::vector<std::uint32_t> fusionOf(const KeyFrame& from,
@@ -102,8 +100,7 @@ Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
 double gateOf(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
   const Eigen::Vector3f& a = from.seg.segments[f].box.size;
   const Eigen::Vector3f& b = to.seg.segments[t].box.size;
-  const Eigen::Array3f larger = a.array().max(b.array());
-  if (larger.x() > kLongestMover || larger.z() > kHighestMover) return -1.0;
+  if (!isMoverSized(a) || !isMoverSized(b)) return -1.0;
   if (isSameSize(a, b)) return kMotionGate;
   const bool moved = from.instances[f].velocity.norm() > 0.0;
   return moved && (isPartOf(a, b) || isPartOf(b, a)) ? kPartGate : -1.0;

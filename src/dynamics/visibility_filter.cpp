@@ -21,6 +21,7 @@ VisibilityFilter::VisibilityFilter(const Config& config, IdSource& ids, int thre
       grid_(config.cvi, config.input.min_range),
       ids_(ids),
       tracks_(config.df),
+      places_(config.df),
       threads_(threads) {}
 
 bool VisibilityFilter::isSettled(const Window& window) const {
@@ -35,12 +36,13 @@ void VisibilityFilter::observe(const Window& window) {
   nameInstances(window);
   KeyFrame& newest = *window.back();
   listPlaces(newest);
-  if (window.size() < 2) return;
+  if (window.size() < 2) return places_.forget();
   const KeyFrame& previous = *window[window.size() - 2];
   newest.evidence->way = previous.evidence->way +
                          (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
   newest.evidence->step = newest.evidence->time - previous.evidence->time;
   compare(window);
+  if (remembers()) places_.look(newest);
 }
 
 void VisibilityFilter::nameInstances(const Window& window) {
@@ -85,6 +87,7 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
   keepStanding(frame, by_point, config_, grid_, ids_);
   removeLoosePoints(frame, config_.df);
   settleGround(frame, config_.df);
+  if (remembers()) places_.note(frame);
   frame.judged = true;
 }
 

@@ -32,11 +32,10 @@ std::vector<std::uint32_t> encodeAll(const std::vector<PointLabel>& labels) {
   return codes;
 }
 
-template <class Wanted>
-std::vector<MapPoint> pointsWhere(const FrameResult& frame, const Wanted& wanted) {
+std::vector<MapPoint> dynamicPoints(const FrameResult& frame) {
   std::vector<MapPoint> points;
   for (std::size_t i = 0; i < frame.labels.size(); ++i) {
-    if (!wanted(frame.labels[i].state)) continue;
+    if (frame.labels[i].state != PointState::kDynamic) continue;
     points.push_back(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
   }
   return points;
@@ -47,26 +46,36 @@ std::vector<MapPoint> pointsWhere(const FrameResult& frame, const Wanted& wanted
 DriveWriter::DriveWriter(const std::filesystem::path& folder, const Config& config)
     : config_(config),
       folder_(folder),
-      static_points_(folder_.staging() / kStaticMap),
+      static_points_(folder_.staging() / kStaticMap, config.map.voxel),
       dynamic_points_(folder_.staging() / kDynamicPoints),
       evidence_(folder_.staging() / "evidence.csv") {
   std::filesystem::create_directory(folder_.staging() / "labels");
-  if (config.map.voxel > 0.0) voxel_map_ = std::make_unique<StaticMap>(config.map.voxel);
+}
+
+/// The labels of the scans in which it stood are on disk already.
+void DriveWriter::revoke(const Revocation& revocation) {
+  report_.revoke(revocation);
+  instances_.revoke(revocation);
+  static_points_.revoke(revocation);
+  for (std::size_t scan = revocation.first; scan <= revocation.last; ++scan) {
+    const std::filesystem::path file = labelsOf(scan);
+    std::vector<std::uint32_t> labels = readLabels(file);
+    if (semantic_kitti::revoke(labels, revocation.id) > 0) writeLabels(file, labels);
+  }
+}
+
+std::filesystem::path DriveWriter::labelsOf(std::size_t scan) const {
+  return folder_.staging() / "labels" / (scanName(scan) + ".label");
 }
 
 void DriveWriter::add(const FrameResult& frame) {
+  for (const Revocation& revocation : frame.revoked) revoke(revocation);
   report_.add(frame);
   instances_.add(frame);
   evidence_.add(frame);
-  writeLabels(folder_.staging() / "labels" / (scanName(frame.index) + ".label"),
-              encodeAll(frame.labels));
-  dynamic_points_.add(
-      pointsWhere(frame, [](PointState state) { return state == PointState::kDynamic; }));
-  if (voxel_map_) {
-    voxel_map_->add(frame);
-  } else {
-    static_points_.add(pointsWhere(frame, isKept));
-  }
+  writeLabels(labelsOf(frame.index), encodeAll(frame.labels));
+  dynamic_points_.add(dynamicPoints(frame));
+  static_points_.add(frame);
   if (frame.status == FrameStatus::kMapped) {
     trajectory_.emplace_back(frame.scan.pose.translation().head<2>());
   }
@@ -101,14 +110,13 @@ void DriveWriter::salvage() noexcept {
     } catch (const std::exception&) {  // the failure that led here has been told already
     }
   };
-  attempt([this] { static_points_.finish(); });
+  attempt([this] { static_points_.salvage(); });
   attempt([this] { dynamic_points_.finish(); });
   attempt([this] { evidence_.finish(); });
 }
 
 void DriveWriter::finish() {
-  if (voxel_map_) static_points_.add(voxel_map_->points());
-  static_points_.finish();
+  static_points_.finish(dynamic_points_);
   dynamic_points_.finish();
   writeInstances();
   evidence_.finish();

@@ -32,6 +32,18 @@ void writeRow(std::size_t scan, const InstanceObservation& seen, std::ostream& o
   out << '\n';
 }
 
+/// One row for all the scans in which it stood: under the last of them, with the points of all.
+void writeRow(const Revocation& revocation, std::ostream& out) {
+  InstanceObservation seen;
+  seen.id = revocation.id;
+  seen.object_class = revocation.object_class;
+  seen.dynamic = true;
+  seen.points = static_cast<std::uint32_t>(revocation.points);
+  seen.reason = Reason::kLeft;
+  seen.center = revocation.center;
+  writeRow(revocation.last, seen, out);
+}
+
 std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells(1);
   for (char c : line) {
@@ -72,6 +84,7 @@ EvidenceLog::EvidenceLog(const std::filesystem::path& file) : file_(file) {
 void EvidenceLog::add(const FrameResult& frame) {
   std::ostringstream rows;
   rows << std::fixed << std::setprecision(1);
+  for (const Revocation& revocation : frame.revoked) writeRow(revocation, rows);
   for (const InstanceObservation& seen : frame.instances) writeRow(frame.index, seen, rows);
   file_.write(rows.str());
 }

@@ -62,6 +62,11 @@ void RunReport::add(const FrameResult& frame) {
   times_.dynamics += frame.times.dynamics;
 }
 
+void RunReport::revoke(const Revocation& revocation) {
+  by_state_[static_cast<std::size_t>(PointState::kStatic)] -= revocation.points;
+  by_state_[static_cast<std::size_t>(PointState::kDynamic)] += revocation.points;
+}
+
 double RunReport::medianMisfit() const { return medianOf(misfits_); }
 
 void RunReport::setInstances(std::size_t instances, std::size_t removed) {

@@ -30,6 +30,15 @@ void InstanceTable::add(const FrameResult& frame) {
   }
 }
 
+void InstanceTable::revoke(const Revocation& revocation) {
+  InstanceRecord& record = records_[revocation.id];
+  record.dynamic_points += revocation.points;
+  // Nearly all frames of what stands were decided for one reason, which no longer holds.
+  std::size_t& most = record.frames_by_reason[static_cast<std::size_t>(record.reason())];
+  most -= std::min(most, revocation.frames);
+  record.frames_by_reason[static_cast<std::size_t>(Reason::kLeft)] += revocation.frames;
+}
+
 std::vector<InstanceRecord> InstanceTable::records() const {
   std::vector<InstanceRecord> result;
   result.reserve(records_.size());

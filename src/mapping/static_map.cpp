@@ -22,20 +22,45 @@ StaticMap::StaticMap(double voxel) : voxel_(voxel) {
 void StaticMap::add(const FrameResult& frame) {
   for (std::size_t i = 0; i < frame.labels.size(); ++i) {
     if (!isKept(frame.labels[i].state)) continue;
-    add(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
+    add(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]), frame.index);
   }
 }
 
-void StaticMap::add(const MapPoint& point) {
+Eigen::Vector3i StaticMap::keyOf(const MapPoint& point) const {
   const Eigen::Vector3d position(static_cast<double>(point.x), static_cast<double>(point.y),
                                  static_cast<double>(point.z));
-  const Eigen::Vector3i key = (position / voxel_).array().floor().cast<int>();
-  if (index_.emplace(key, points_.size()).second) points_.push_back(point);
+  return (position / voxel_).array().floor().cast<int>();
+}
+
+void StaticMap::add(const MapPoint& point, std::size_t scan) {
+  if (!occupied_.insert(keyOf(point)).second) return;
+  points_.push_back(point);
+  scans_.push_back(static_cast<std::uint32_t>(scan));
+}
+
+std::vector<MapPoint> StaticMap::revoke(const Revocation& revocation) {
+  std::vector<MapPoint> revoked;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const bool stood = points_[k].instance == revocation.id && scans_[k] >= revocation.first &&
+                       scans_[k] <= revocation.last;
+    if (stood) {
+      occupied_.erase(keyOf(points_[k]));
+      revoked.push_back(points_[k]);
+      continue;
+    }
+    points_[kept] = points_[k];
+    scans_[kept++] = scans_[k];
+  }
+  points_.resize(kept);
+  scans_.resize(kept);
+  return revoked;
 }
 
 void StaticMap::clear() {
-  index_.clear();
+  occupied_.clear();
   points_.clear();
+  scans_.clear();
 }
 
 std::vector<MapPoint> thinned(const std::vector<MapPoint>& points, double voxel) {

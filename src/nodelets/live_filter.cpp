@@ -77,6 +77,10 @@ std::string LiveFilter::recognise(const Scan& scan) const {
 std::vector<FrameResult> LiveFilter::mapped(std::vector<FrameResult> frames) {
   const std::lock_guard<std::mutex> lock(map_mutex_);
   for (const FrameResult& frame : frames) {
+    for (const Revocation& revocation : frame.revoked) {
+      map_->revoke(revocation);
+      instances_.revoke(revocation);
+    }
     map_->add(frame);
     instances_.add(frame);
   }

@@ -160,6 +160,7 @@ class Pipeline::Impl {
       results.back().after_jump = oldest.after_jump;
       entries_.pop_front();
     }
+    if (!results.empty()) results.front().revoked = filter_->takeRevocations();
     return results;
   }
 

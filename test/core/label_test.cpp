@@ -27,9 +27,12 @@ TEST(Label, InstanceIsInTheUpperHalf) {
   EXPECT_EQ(instanceOf(encode({65535, PointState::kStatic, ObjectClass::kUnknown})), 65535U);
 }
 
-TEST(Label, AnInstanceThatDoesNotFitIsNoneInsteadOfAnother) {
-  EXPECT_EQ(instanceOf(encode({65536 + 5, PointState::kDynamic, ObjectClass::kUnknown})), 0U);
-  EXPECT_EQ(classOf(encode({65536 + 5, PointState::kDynamic, ObjectClass::kUnknown})), 251U);
+TEST(Label, InstancesThatDoNotFitBeginAnew) {
+  EXPECT_EQ(instanceOf(encode({65536, PointState::kStatic, ObjectClass::kUnknown})), 1U);
+  EXPECT_EQ(instanceOf(encode({65535 + 7, PointState::kDynamic, ObjectClass::kUnknown})), 7U);
+  EXPECT_EQ(classOf(encode({65535 + 7, PointState::kDynamic, ObjectClass::kUnknown})), 251U);
+  EXPECT_EQ(semantic_kitti::shortId(2 * 65535), 65535U);
+  EXPECT_EQ(semantic_kitti::shortId(0), 0U);
 }
 
 TEST(Label, ParkedMovablesAreTheTenStandingClasses) {

@@ -48,6 +48,7 @@ struct DynamicConfig {
   int keep_hits = 3;
   double keep_delay = 0.5;
   int loose_votes = 3;
+  int left_looks = 4;
   double foot_height = 0.3;
   double foot_margin = 0.20;
   double foot_bottom = 0.06;
@@ -94,6 +95,9 @@ struct DynamicConfig {
              "only hits from frames at least so far away in time count");
     v.integer("loose_votes", s.loose_votes, 1, 100, "pairs",
               "free pairs that remove a point that is in no instance");
+    v.integer("left_looks", s.left_looks, 0, 100, "looks",
+              "in a row, half a second apart, that see through where something stood before its "
+              "frames left the window, and remove it there after all; 0: none does");
     v.number("foot_height", s.foot_height, 0.0, 2.0, "m",
              "below: an instance and the ground around it may have been confused");
     v.number("foot_margin", s.foot_margin, 0.0, 1.0, "m",

@@ -34,11 +34,12 @@ enum class Reason : std::uint8_t {
   kRestored,     ///< the votes made it dynamic, but hardly any other member of its track
   kSplit,        ///< the moved part of a standing instance
   kKept,         ///< the standing part of a moved instance
+  kLeft,         ///< it stood, and later scans saw through its place (Revocation)
 };
-constexpr std::size_t kReasons = 8;
+constexpr std::size_t kReasons = 9;
 
 /// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "restored",
-/// "split", "kept".
+/// "split", "kept", "left".
 std::string toString(Reason reason);
 
 /// What another key frame says of an instance.
@@ -69,6 +70,18 @@ struct InstanceObservation {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 };
 
+/// What stood in earlier frames and has left since (docs/dynamic_filter.md): the points that carry
+/// its id there, and were kept, are dynamic after all.
+struct Revocation {
+  std::uint32_t id = 0;
+  std::size_t first = 0;   ///< running number of the first scan in which it stood
+  std::size_t last = 0;    ///< and of the last
+  std::size_t frames = 0;  ///< in which it was seen there
+  std::size_t points = 0;  ///< of all of these together
+  ObjectClass object_class = ObjectClass::kUnknown;  ///< in the last of them
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
+};
+
 /// Seconds spent in each stage on one frame. For reports only; nothing is decided by it.
 struct StageTimes {
   double ground = 0.0;
@@ -86,6 +99,7 @@ struct FrameResult {
   Scan scan;                                   ///< as given
   std::vector<PointLabel> labels;              ///< one for each point of `scan`
   std::vector<InstanceObservation> instances;  ///< ordered by id
+  std::vector<Revocation> revoked;             ///< of frames that came out earlier
   /// Median point-to-plane distance to the previous key frame, metres; NaN when not measurable.
   double pose_misfit = 0.0;
   std::size_t non_finite_points = 0;  ///< NaN or infinite coordinates, left unjudged

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "segdf/core/label.hpp"
 
@@ -43,8 +45,15 @@ bool isParkedMovable(std::uint16_t semantic_class);
 /// Ground truth: 40 44 48 49 60 72, what one drives and walks on.
 bool isGround(std::uint16_t semantic_class);
 
-/// Codes a verdict as in docs: 0, 9, 10, 40, 50, 70 or 251. Instance ids above 65535 do not fit in
-/// the upper half and are written as 0 (none); the map and instances.csv keep them whole.
+/// A global instance id as labels hold it: 1 to 65535, after which they begin anew at 1; 0 = none.
+std::uint16_t shortId(std::uint32_t instance);
+
+/// Codes a verdict as in docs: 0, 9, 10, 40, 50, 70 or 251, with the shortId() of its instance; the
+/// map and instances.csv keep ids whole.
 std::uint32_t encode(const PointLabel& label);
+
+/// Makes the kept points of an instance dynamic. @param labels of a scan, as encode() makes them
+/// @return how many there were
+std::size_t revoke(std::vector<std::uint32_t>& labels, std::uint32_t instance);
 
 }  // namespace segdf::semantic_kitti

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "segdf/core/config.hpp"
 #include "segdf/dynamics/frame.hpp"
@@ -33,6 +34,9 @@ class DynamicFilter {
   /// The frame at `position` is about to leave, or no further frame will come: makes its verdicts
   /// final. Does nothing when they are.
   virtual void decide(const Window& window, std::size_t position) = 0;
+
+  /// What observe() found out about frames that have left the window, since the last call.
+  virtual std::vector<Revocation> takeRevocations() = 0;
 };
 
 /// The filter that config.df.mode names. @param ids outlives the filter

@@ -27,6 +27,7 @@ class LiteralFilter : public DynamicFilter {
   void prepare(KeyFrame& /*frame*/) const override {}
   void observe(const Window& window) override;
   void decide(const Window& window, std::size_t position) override;
+  std::vector<Revocation> takeRevocations() override { return {}; }
 
  private:
   void judge(KeyFrame& frame, const std::vector<SegmentOverlap>& overlaps);

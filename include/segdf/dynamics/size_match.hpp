@@ -16,4 +16,11 @@ inline bool isSameSize(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return isPartOf(a, b) && isPartOf(b, a);
 }
 
+/// May a thing of this size move? Nothing is longer than an articulated bus.
+inline bool isMoverSized(const Eigen::Vector3f& size) {
+  constexpr float kLongest = 19.0F;  // metres
+  constexpr float kHighest = 4.5F;   // metres
+  return size.x() <= kLongest && size.z() <= kHighest;
+}
+
 }  // namespace segdf

@@ -6,6 +6,7 @@
 
 #include "segdf/core/config.hpp"
 #include "segdf/dynamics/dynamic_filter.hpp"
+#include "segdf/dynamics/place_memory.hpp"
 #include "segdf/dynamics/track_vote.hpp"
 #include "segdf/segmentation/curved_voxels.hpp"
 
@@ -23,16 +24,22 @@ class VisibilityFilter : public DynamicFilter {
   void prepare(KeyFrame& frame) const override;
   void observe(const Window& window) override;
   void decide(const Window& window, std::size_t position) override;
+  std::vector<Revocation> takeRevocations() override { return places_.takeRevocations(); }
 
  private:
   void nameInstances(const Window& window);
   void compare(const Window& window);
   void judge(KeyFrame& frame) const;
+  /// Is what stood in earlier frames looked after?
+  bool remembers() const {
+    return config_.df.left_looks > 0 && config_.df.semi_static == SemiStatic::kRemove;
+  }
 
   Config config_;
   CurvedGrid grid_;
   IdSource& ids_;
   TrackBook tracks_;
+  PlaceMemory places_;
   int threads_;
 };
 

@@ -15,8 +15,8 @@
 #include "segdf/io/pcd_stream.hpp"
 #include "segdf/io/run_report.hpp"
 #include "segdf/io/scan_source.hpp"
+#include "segdf/io/static_map_file.hpp"
 #include "segdf/mapping/instance_table.hpp"
-#include "segdf/mapping/static_map.hpp"
 
 namespace segdf {
 
@@ -41,14 +41,15 @@ class DriveWriter {
 
  private:
   void salvage() noexcept;
+  void revoke(const Revocation& revocation);
+  std::filesystem::path labelsOf(std::size_t scan) const;
   void writeInstances();
   void drawMap() const;
 
   Config config_;
   OutputFolder folder_;
-  PcdStream static_points_;
+  StaticMapFile static_points_;
   PcdStream dynamic_points_;
-  std::unique_ptr<StaticMap> voxel_map_;  ///< only when map.voxel is set
   InstanceTable instances_;
   EvidenceLog evidence_;
   RunReport report_;

@@ -25,6 +25,8 @@ class RunReport {
 
   void setSetting(const Setting& setting) { setting_ = setting; }
   void add(const FrameResult& frame);
+  /// Counts static points as dynamic ones.
+  void revoke(const Revocation& revocation);
 
   std::size_t frames() const { return frames_; }
   std::size_t mapped() const { return count(FrameStatus::kMapped); }

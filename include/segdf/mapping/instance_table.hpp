@@ -37,6 +37,8 @@ struct InstanceRecord {
 class InstanceTable {
  public:
   void add(const FrameResult& frame);
+  /// Counts what stood in frames that were added as removed.
+  void revoke(const Revocation& revocation);
 
   /// Ordered by id.
   std::vector<InstanceRecord> records() const;

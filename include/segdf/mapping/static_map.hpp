@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "segdf/core/frame_result.hpp"
@@ -20,7 +20,11 @@ class StaticMap {
 
   /// Adds the ground, static and noise points of a mapped frame. A voxel keeps its first point.
   void add(const FrameResult& frame);
-  void add(const MapPoint& point);
+  void add(const MapPoint& point, std::size_t scan = 0);
+
+  /// Takes out the points that an instance left in the scans in which it stood. A voxel is empty
+  /// then, until another point comes. @return these points
+  std::vector<MapPoint> revoke(const Revocation& revocation);
 
   /// In the order in which the voxels were first seen.
   const std::vector<MapPoint>& points() const { return points_; }
@@ -32,9 +36,12 @@ class StaticMap {
     std::size_t operator()(const Eigen::Vector3i& key) const;
   };
 
+  Eigen::Vector3i keyOf(const MapPoint& point) const;
+
   double voxel_;
-  std::unordered_map<Eigen::Vector3i, std::size_t, KeyHash> index_;
+  std::unordered_set<Eigen::Vector3i, KeyHash> occupied_;
   std::vector<MapPoint> points_;
+  std::vector<std::uint32_t> scans_;  ///< of the points, running numbers
 };
 
 /// The points on a coarser grid: the first of each voxel. @param voxel metres; 0 = all points
