@@ -14,6 +14,15 @@ namespace {
 constexpr std::size_t kLarge = 300;  // points
 constexpr double kJitter = 0.05;     // seconds
 
+// Of segments with so many places every kStride-th is looked for first.
+constexpr std::uint32_t kMany = 24;
+constexpr std::uint32_t kStride = 4;
+
+/// How many of a segment's places stand for the others, in a first look.
+std::uint32_t sampleOf(std::uint32_t count) {
+  return count < kMany ? count : (count + kStride - 1) / kStride;
+}
+
 void increment(std::uint8_t& counter) {
   if (counter < std::numeric_limits<std::uint8_t>::max()) ++counter;
 }
@@ -37,22 +46,57 @@ std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
   return order;
 }
 
-/// Adds one voxel: as one place, or as one for each of its points. @param places the points that
-/// stand for places
-void addVoxel(const CurvedVoxels& voxels,
-              std::uint32_t v,
-              bool whole,
-              std::vector<std::uint32_t>& places,
-              FrameEvidence& evidence) {
-  const auto place = [&](std::uint32_t point) {
-    places.push_back(point);
-    evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
-  };
-  if (whole) place(voxels.points[(voxels.begin[v] + voxels.begin[v + 1]) / 2]);
-  for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
-    if (!whole) place(voxels.points[k]);
-    evidence.listed.push_back(voxels.points[k]);
+/// A place, and the points that it stands for: [begin, end) of the voxels' points.
+struct Place {
+  std::uint32_t point = 0;
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+/// Adds one voxel: as one place, or as one for each of its points.
+void addVoxel(const CurvedVoxels& voxels, std::uint32_t v, bool whole, std::vector<Place>& places) {
+  const std::uint32_t begin = voxels.begin[v];
+  const std::uint32_t end = voxels.begin[v + 1];
+  if (whole) {
+    places.push_back({voxels.points[(begin + end) / 2], begin, end});
+    return;
   }
+  for (std::uint32_t k = begin; k < end; ++k) places.push_back({voxels.points[k], k, k + 1});
+}
+
+/// The sample of a segment's places first, then the others, in their order.
+std::vector<Place> sampleFirst(const std::vector<Place>& places) {
+  const auto count = static_cast<std::uint32_t>(places.size());
+  if (sampleOf(count) == count) return places;
+  std::vector<Place> ordered;
+  ordered.reserve(count);
+  for (std::uint32_t k = 0; k < count; k += kStride) ordered.push_back(places[k]);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (k % kStride != 0) ordered.push_back(places[k]);
+  }
+  return ordered;
+}
+
+/// States of a segment's places in the image of another key frame. Where the sample sees through
+/// none, the others are taken for what the sample is: most of what stands is settled by a look at a
+/// quarter of it.
+std::vector<VolumetricState> lookFor(const Eigen::Ref<const Eigen::MatrixX3f>& places,
+                                     std::uint32_t sample,
+                                     const VisibilityImage& image,
+                                     const Eigen::Isometry3f& image_T_places) {
+  const auto count = static_cast<std::uint32_t>(places.rows());
+  std::vector<VolumetricState> states(count);
+  image.look(places.topRows(sample), image_T_places, states.data());
+  if (sample == count) return states;
+  const auto sample_end = states.begin() + sample;
+  if (std::find(states.begin(), sample_end, VolumetricState::kFree) != sample_end) {
+    image.look(places.bottomRows(count - sample), image_T_places, states.data() + sample);
+  } else {
+    for (std::uint32_t k = sample; k < count; ++k) {
+      states[k] = states[(k - sample) / (kStride - 1)];
+    }
+  }
+  return states;
 }
 
 Eigen::MatrixX3f positionsOf(const std::vector<std::uint32_t>& points, const Scan& scan) {
@@ -89,20 +133,29 @@ void listPlaces(KeyFrame& frame) {
   FrameEvidence& evidence = *frame.evidence;
   std::vector<std::uint32_t> begin;
   const std::vector<std::uint32_t> order = voxelsBySegment(frame, begin);
-  std::vector<std::uint32_t> places;
+  std::vector<std::uint32_t> points;
+  std::vector<Place> places;
   for (std::size_t group = 0; group + 1 < begin.size(); ++group) {
-    evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
+    evidence.begin.push_back(static_cast<std::uint32_t>(points.size()));
     const bool segment = group < frame.seg.segments.size();
     const bool whole = segment && frame.seg.segments[group].points.size() > kLarge &&
                        !isTested(frame.seg.segments[group].object_class);
+    places.clear();
     for (std::uint32_t k = begin[group]; k < begin[group + 1]; ++k) {
-      addVoxel(frame.seg.voxels, order[k], whole, places, evidence);
+      addVoxel(frame.seg.voxels, order[k], whole, places);
+    }
+    for (const Place& place : segment ? sampleFirst(places) : places) {
+      points.push_back(place.point);
+      evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
+      const std::vector<std::uint32_t>& all = frame.seg.voxels.points;
+      evidence.listed.insert(evidence.listed.end(), all.begin() + place.begin,
+                             all.begin() + place.end);
     }
   }
-  evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
+  evidence.begin.push_back(static_cast<std::uint32_t>(points.size()));
   evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
-  evidence.places = positionsOf(places, frame.scan);
-  evidence.answers.resize(places.size());
+  evidence.places = positionsOf(points, frame.scan);
+  evidence.answers.resize(points.size());
   evidence.votes.resize(frame.seg.segments.size());
 }
 
@@ -141,9 +194,11 @@ void gatherEvidence(KeyFrame& frame,
     vote.seconds = static_cast<float>(seconds);
     const std::uint32_t begin = evidence.begin[group];
     const std::uint32_t end = evidence.begin[group + 1];
-    std::vector<VolumetricState> states(end - begin);
-    other.evidence->image.look(evidence.places.middleRows(begin, end - begin), image_T_frame,
-                               states.data());
+    const std::uint32_t sample =
+        group == evidence.votes.size() ? end - begin : sampleOf(end - begin);
+    const std::vector<VolumetricState> states =
+        lookFor(evidence.places.middleRows(begin, end - begin), sample, other.evidence->image,
+                image_T_frame);
     for (std::uint32_t k = begin; k < end; ++k) {
       const VolumetricState state = states[k - begin];
       const std::uint32_t points = evidence.first[k + 1] - evidence.first[k];

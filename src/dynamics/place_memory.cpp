@@ -2,6 +2,7 @@
 #include "segdf/dynamics/place_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -25,6 +26,8 @@ constexpr double kReach = 40.0;          // metres, of a look
 constexpr double kLookStep = 0.5;        // seconds between looks that may see through it
 constexpr double kFoundStep = 2.0;       // seconds after it was found again
 constexpr double kFoundAgain = 0.5;      // share of what is seen
+constexpr double kSameVisit = 10.0;      // seconds: places seen so close in time drift as one
+constexpr std::size_t kFoundPerFree = 3;
 
 /// Some points of the instance, a row each, sensor frame.
 Eigen::MatrixX3f placesOf(const KeyFrame& frame, const Segment& segment) {
@@ -108,7 +111,7 @@ void PlaceMemory::remember(const KeyFrame& frame,
     if (static_cast<std::size_t>(places.rows()) >= kMinPoints) {
       if (!view) {
         view = std::make_shared<const View>(
-            View{frame.scan.pose, frame.evidence->registration_points});
+            View{frame.evidence->time, frame.scan.pose, frame.evidence->registration_points});
       }
       if (stand == nullptr) {
         stands_.emplace_back();
@@ -124,30 +127,14 @@ void PlaceMemory::remember(const KeyFrame& frame,
   if (stand != nullptr) extend(stand->runs, frame, segment, center);
 }
 
-std::vector<std::size_t> PlaceMemory::due(const KeyFrame& newest) const {
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < stands_.size(); ++k) {
-    const bool near = (stands_[k].center - newest.scan.pose.translation()).norm() <= kReach;
-    if (near && newest.evidence->time >= stands_[k].next_look) places.push_back(k);
-  }
-  return places;
-}
-
 void PlaceMemory::look(const KeyFrame& newest) {
-  std::map<const View*, PairPose> poses;  // for look-up only
+  std::vector<Answer> answers = askAround(newest);
   std::vector<std::size_t> left;
-  for (std::size_t k : due(newest)) {
-    Stand& stand = stands_[k];
-    const View& view = *stand.view;
-    auto pose = poses.find(&view);
-    if (pose == poses.end()) {
-      const Pose given = newest.scan.pose.inverse() * view.pose;
-      const PairPose refined = refinePair(given, view.registration_points, newest.evidence->planes);
-      pose = poses.emplace(&view, refined).first;
-    }
-    stand.next_look = newest.evidence->time + kLookStep;
-    if (pose->second.quality >= config_.min_quality) judge(newest, pose->second.to_T_from, stand);
-    if (stand.free_looks >= config_.left_looks) left.push_back(k);
+  for (const Answer& answer : answers) {
+    Stand& stand = stands_[answer.stand];
+    if (!answer.fresh) continue;
+    stand.free_looks = answer.free && isTrusted(answer, answers) ? stand.free_looks + 1 : 0;
+    if (stand.free_looks >= config_.left_looks) left.push_back(answer.stand);
   }
   for (auto k = left.rbegin(); k != left.rend(); ++k) {
     const auto stand = stands_.begin() + static_cast<std::ptrdiff_t>(*k);
@@ -156,7 +143,49 @@ void PlaceMemory::look(const KeyFrame& newest) {
   }
 }
 
-void PlaceMemory::judge(const KeyFrame& newest, const Pose& newest_T_view, Stand& stand) const {
+std::vector<PlaceMemory::Answer> PlaceMemory::askAround(const KeyFrame& newest) {
+  const double now = newest.evidence->time;
+  std::map<const View*, PairPose> poses;  // for look-up only
+  std::vector<Answer> answers;
+  for (std::size_t k = 0; k < stands_.size(); ++k) {
+    Stand& stand = stands_[k];
+    if ((stand.center - newest.scan.pose.translation()).norm() > kReach) continue;
+    if (now < stand.next_look) {
+      answers.push_back({k, stand.free_looks > 0, false});
+      continue;
+    }
+    const View& view = *stand.view;
+    auto pose = poses.find(&view);
+    if (pose == poses.end()) {
+      const Pose given = newest.scan.pose.inverse() * view.pose;
+      pose =
+          poses.emplace(&view, refinePair(given, view.registration_points, newest.evidence->planes))
+              .first;
+    }
+    stand.next_look = now + kLookStep;
+    if (pose->second.quality < config_.min_quality) continue;
+    const VolumetricState state = stateOf(stand, newest, pose->second.to_T_from);
+    if (state == VolumetricState::kUnknown) continue;
+    if (state == VolumetricState::kHit) stand.next_look = now + kFoundStep;
+    answers.push_back({k, state == VolumetricState::kFree, true});
+  }
+  return answers;
+}
+
+bool PlaceMemory::isTrusted(const Answer& answer, const std::vector<Answer>& answers) const {
+  const double time = stands_[answer.stand].view->time;
+  std::size_t found = 0;
+  std::size_t free = 0;
+  for (const Answer& other : answers) {
+    if (std::abs(stands_[other.stand].view->time - time) > kSameVisit) continue;
+    ++(other.free ? free : found);
+  }
+  return found >= kFoundPerFree * free;
+}
+
+VolumetricState PlaceMemory::stateOf(const Stand& stand,
+                                     const KeyFrame& newest,
+                                     const Pose& newest_T_view) const {
   std::vector<VolumetricState> states(static_cast<std::size_t>(stand.places.rows()));
   newest.evidence->image.look(stand.places, newest_T_view.cast<float>(), states.data());
   const auto free = std::count(states.begin(), states.end(), VolumetricState::kFree);
@@ -164,13 +193,10 @@ void PlaceMemory::judge(const KeyFrame& newest, const Pose& newest_T_view, Stand
   const auto seen = static_cast<double>(free + hit);
   const double least = std::max(static_cast<double>(config_.vis_min),
                                 config_.vis_frac * static_cast<double>(states.size()));
-  if (seen < least) return;
-  if (static_cast<double>(free) >= config_.f_single * seen) {
-    ++stand.free_looks;
-  } else if (static_cast<double>(hit) >= kFoundAgain * seen) {
-    stand.free_looks = 0;
-    stand.next_look = newest.evidence->time + kFoundStep;
-  }
+  if (seen < least) return VolumetricState::kUnknown;
+  if (static_cast<double>(free) >= config_.f_single * seen) return VolumetricState::kFree;
+  if (static_cast<double>(hit) >= kFoundAgain * seen) return VolumetricState::kHit;
+  return VolumetricState::kUnknown;
 }
 
 std::vector<Revocation> PlaceMemory::takeRevocations() { return std::exchange(revoked_, {}); }

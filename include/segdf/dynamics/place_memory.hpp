@@ -12,6 +12,7 @@
 #include "segdf/core/config.hpp"
 #include "segdf/core/frame_result.hpp"
 #include "segdf/dynamics/frame.hpp"
+#include "segdf/dynamics/visibility_image.hpp"
 
 namespace segdf {
 
@@ -40,6 +41,7 @@ class PlaceMemory {
  private:
   /// A frame from which places are remembered.
   struct View {
+    double time = 0.0;  ///< seconds
     Pose pose;
     std::vector<Eigen::Vector3f> registration_points;
   };
@@ -55,13 +57,27 @@ class PlaceMemory {
     Eigen::MatrixX3f places;  ///< some of its points in the view's sensor frame, metres
   };
 
+  /// What the newest key frame says of a place.
+  struct Answer {
+    std::size_t stand = 0;
+    bool free = false;   ///< seen through; else found again
+    bool fresh = false;  ///< asked now
+  };
+
   Stand* standOf(const KeyFrame& frame, std::size_t segment, const Eigen::Vector3d& center);
   void remember(const KeyFrame& frame, std::size_t segment, std::shared_ptr<const View>& view);
-  void judge(const KeyFrame& newest, const Pose& newest_T_view, Stand& stand) const;
-  std::vector<std::size_t> due(const KeyFrame& newest) const;
+  /// Answers of the places around, those that were asked a short while ago included.
+  std::vector<Answer> askAround(const KeyFrame& newest);
+  /// FREE, HIT or UNKNOWN, of the place as a whole.
+  VolumetricState stateOf(const Stand& stand,
+                          const KeyFrame& newest,
+                          const Pose& newest_T_view) const;
+  /// True when most of what was seen at the same time is found again: else it is the poses that do
+  /// not fit, after a long way without a loop closure.
+  bool isTrusted(const Answer& answer, const std::vector<Answer>& answers) const;
 
   DynamicConfig config_;
-  std::vector<Stand> stands_;  ///< those noted last come last
+  std::vector<Stand> stands_;  ///< in the order in which they were first seen
   std::vector<Revocation> revoked_;
 };
 
