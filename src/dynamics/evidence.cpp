@@ -14,13 +14,22 @@ namespace {
 constexpr std::size_t kLarge = 300;  // points
 constexpr double kJitter = 0.05;     // seconds
 
-// Of segments with so many places every kStride-th is looked for first.
-constexpr std::uint32_t kMany = 24;
+// Of the places of a segment every so many-th is looked for first.
 constexpr std::uint32_t kStride = 4;
+constexpr std::uint32_t kWideStride = 8;
+constexpr std::uint32_t kMany = 24;       // places, from which on there is a sample
+constexpr std::uint32_t kVeryMany = 512;  // from which on the stride is wide
+constexpr std::ptrdiff_t kFewFree = 33;   // 1 in so many places of the sample
+
+std::uint32_t strideOf(std::uint32_t count) {
+  if (count < kMany) return 1;
+  return count < kVeryMany ? kStride : kWideStride;
+}
 
 /// How many of a segment's places stand for the others, in a first look.
 std::uint32_t sampleOf(std::uint32_t count) {
-  return count < kMany ? count : (count + kStride - 1) / kStride;
+  const std::uint32_t stride = strideOf(count);
+  return (count + stride - 1) / stride;
 }
 
 void increment(std::uint8_t& counter) {
@@ -70,16 +79,17 @@ std::vector<Place> sampleFirst(const std::vector<Place>& places) {
   if (sampleOf(count) == count) return places;
   std::vector<Place> ordered;
   ordered.reserve(count);
-  for (std::uint32_t k = 0; k < count; k += kStride) ordered.push_back(places[k]);
+  const std::uint32_t stride = strideOf(count);
+  for (std::uint32_t k = 0; k < count; k += stride) ordered.push_back(places[k]);
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (k % kStride != 0) ordered.push_back(places[k]);
+    if (k % stride != 0) ordered.push_back(places[k]);
   }
   return ordered;
 }
 
-/// States of a segment's places in the image of another key frame. Where the sample sees through
-/// none, the others are taken for what the sample is: most of what stands is settled by a look at a
-/// quarter of it.
+/// States of a segment's places in the image of another key frame. Most of what stands is settled
+/// by a look at a quarter of it: where the sample sees through hardly any, only the places beside
+/// these are looked for, too, and the others are taken for what the sample is.
 std::vector<VolumetricState> lookFor(const Eigen::Ref<const Eigen::MatrixX3f>& places,
                                      std::uint32_t sample,
                                      const VisibilityImage& image,
@@ -88,12 +98,19 @@ std::vector<VolumetricState> lookFor(const Eigen::Ref<const Eigen::MatrixX3f>& p
   std::vector<VolumetricState> states(count);
   image.look(places.topRows(sample), image_T_places, states.data());
   if (sample == count) return states;
-  const auto sample_end = states.begin() + sample;
-  if (std::find(states.begin(), sample_end, VolumetricState::kFree) != sample_end) {
+  const auto free = std::count(states.begin(), states.begin() + sample, VolumetricState::kFree);
+  if (kFewFree * free > sample) {
     image.look(places.bottomRows(count - sample), image_T_places, states.data() + sample);
-  } else {
-    for (std::uint32_t k = sample; k < count; ++k) {
-      states[k] = states[(k - sample) / (kStride - 1)];
+    return states;
+  }
+  const std::uint32_t beside = strideOf(count) - 1;
+  for (std::uint32_t k = 0; k < sample; ++k) {
+    const std::uint32_t begin = std::min(count, sample + beside * k);
+    const std::uint32_t end = std::min(count, begin + beside);
+    if (states[k] == VolumetricState::kFree) {
+      image.look(places.middleRows(begin, end - begin), image_T_places, states.data() + begin);
+    } else {
+      std::fill(states.begin() + begin, states.begin() + end, states[k]);
     }
   }
   return states;
