@@ -16,9 +16,10 @@ constexpr int kMaxSteps = 20;
 constexpr double kFirstScale = 0.5;  // metres, of the robust kernel
 constexpr double kLastScale = 0.08;
 constexpr std::size_t kCoarseStride = 4;
+constexpr std::size_t kEnough = 1000;  // points: twice as many make no pair better
 constexpr double kScaleRatio = 0.7;        // from step to step
-constexpr double kDoneTranslation = 1e-3;  // metres
-constexpr double kDoneRotation = 1e-4;     // rad
+constexpr double kDoneTranslation = 2e-3;  // metres
+constexpr double kDoneRotation = 2e-4;     // rad
 constexpr double kMaxTranslation = 1.5;
 constexpr double kMaxRotation = 0.06;
 constexpr float kQualityReach = 30.0F;
@@ -52,6 +53,10 @@ void forEachMatch(const Pose& pose,
   }
 }
 
+std::size_t fineStride(const std::vector<Eigen::Vector3f>& source) {
+  return std::max<std::size_t>(1, source.size() / kEnough);
+}
+
 /// One Gauss-Newton step: rotation vector, then translation. Zero when the pair gives no hold.
 Vector6 step(const Pose& pose,
              const std::vector<Eigen::Vector3f>& source,
@@ -62,7 +67,7 @@ Vector6 step(const Pose& pose,
   std::size_t matches = 0;
   const auto squared_scale = static_cast<float>(scale * scale);
   // While the kernel is wide a part of the points shows the way.
-  const std::size_t stride = scale > kLastScale ? kCoarseStride : 1;
+  const std::size_t stride = scale > kLastScale ? kCoarseStride : fineStride(source);
   forEachMatch(pose, source, stride, target, [&](const Match& match) {
     const float r = match.residual();
     const float kernel = squared_scale / (squared_scale + r * r);
@@ -94,7 +99,7 @@ double qualityOf(const Pose& pose,
                  const PlaneMap& target) {
   std::size_t near = 0;
   std::size_t good = 0;
-  forEachMatch(pose, source, 1, target, [&](const Match& match) {
+  forEachMatch(pose, source, fineStride(source), target, [&](const Match& match) {
     if (match.place.squaredNorm() > kQualityReach * kQualityReach) return;
     ++near;
     good += std::abs(match.residual()) < kQualityResidual ? 1 : 0;
