@@ -25,52 +25,84 @@ int reachOf(const RangeImage& image, std::size_t points) {
   return std::clamp((2 * image.columns() + fullest / 2) / fullest, kLeastReach, kMostReach);
 }
 
-class Connector {
+/// The cells of the range image side by side, with a rim of wrapped columns and an empty row below,
+/// so that neighbours need no bounds.
+class Cells {
  public:
-  Connector(const RangeImage& image,
-            const std::vector<std::int32_t>& cluster,
-            float jump,
-            int reach)
-      : image_(image), cluster_(cluster), jump_(jump), reach_(reach) {}
-
-  UnionFind connect() const {
-    UnionFind pieces(cluster_.size());
-    for (std::uint32_t i = 0; i < cluster_.size(); ++i) {
-      if (cluster_[i] != Clusters::kNoise) connectPoint(i, pieces);
+  Cells(const RangeImage& image, const std::vector<std::int32_t>& cluster, int reach)
+      : stride_(image.columns() + 2 * reach),
+        cells_(static_cast<std::size_t>((image.rows() + 1) * stride_)) {
+    std::size_t cell = 0;
+    for (int row = 0; row < image.rows(); ++row) {
+      for (int column = -reach; column < image.columns() + reach; ++column, ++cell) {
+        const std::int32_t i = image.at(row, column);
+        if (i == RangeImage::kNone) continue;
+        const auto point = static_cast<std::size_t>(i);
+        cells_[cell] = {static_cast<std::uint32_t>(i), cluster[point], image.rangeOf(point)};
+      }
     }
-    return pieces;
   }
+
+  struct Cell {
+    std::uint32_t point = 0;
+    std::int32_t cluster = Clusters::kNoise;
+    float range = 0.0F;
+  };
+
+  /// @param column from the image's first, without the rim
+  const Cell* at(int row, int column, int reach) const {
+    return cells_.data() + static_cast<std::ptrdiff_t>(row) * stride_ + column + reach;
+  }
+  std::ptrdiff_t stride() const { return stride_; }
 
  private:
-  /// To the point that the image holds of its cell, to those to the right and to those below.
-  void connectPoint(std::uint32_t i, UnionFind& pieces) const {
-    const int row = image_.rowOf(i);
-    const int column = image_.columnOf(i);
-    std::uint32_t root = pieces.find(i);
-    for (int right = 0; right <= reach_; ++right) {
-      root = connectPair(i, root, image_.at(row, column + right), pieces);
-    }
-    for (int right = -reach_; right <= reach_; ++right) {
-      root = connectPair(i, root, image_.at(row + 1, column + right), pieces);
-    }
-  }
-
-  /// @returns the root of `a` afterwards
-  std::uint32_t connectPair(std::uint32_t a,
-                            std::uint32_t root,
-                            std::int32_t neighbour,
-                            UnionFind& pieces) const {
-    const auto b = static_cast<std::uint32_t>(neighbour);
-    if (neighbour == RangeImage::kNone || a == b || cluster_[a] != cluster_[b]) return root;
-    if (std::abs(image_.rangeOf(a) - image_.rangeOf(b)) >= jump_) return root;
-    return pieces.unite(root, b);
-  }
-
-  const RangeImage& image_;
-  const std::vector<std::int32_t>& cluster_;
-  float jump_;
-  int reach_;
+  std::ptrdiff_t stride_;
+  std::vector<Cell> cells_;
 };
+
+/// Connects what the image holds of each cell to what lies to the right and below.
+void connectCells(const RangeImage& image,
+                  const std::vector<std::int32_t>& cluster,
+                  float jump,
+                  int reach,
+                  UnionFind& pieces) {
+  const Cells cells(image, cluster, reach);
+  for (int row = 0; row < image.rows(); ++row) {
+    for (int column = 0; column < image.columns(); ++column) {
+      const Cells::Cell* cell = cells.at(row, column, reach);
+      if (cell->cluster == Clusters::kNoise) continue;
+      const auto connect = [&](const Cells::Cell& next) {
+        if (next.cluster != cell->cluster || std::abs(next.range - cell->range) >= jump) return;
+        pieces.unite(cell->point, next.point);
+      };
+      for (int right = 1; right <= reach; ++right) connect(cell[right]);
+      for (int right = -reach; right <= reach; ++right) connect(cell[cells.stride() + right]);
+    }
+  }
+}
+
+/// Connects the points of a cell that the image does not hold to the one that it does, and to what
+/// lies to the right of it and below.
+void connectHidden(const RangeImage& image,
+                   const std::vector<std::int32_t>& cluster,
+                   float jump,
+                   int reach,
+                   UnionFind& pieces) {
+  for (std::uint32_t i = 0; i < cluster.size(); ++i) {
+    if (cluster[i] == Clusters::kNoise) continue;
+    const int row = image.rowOf(i);
+    const int column = image.columnOf(i);
+    if (image.at(row, column) == static_cast<std::int32_t>(i)) continue;
+    const auto connect = [&](std::int32_t next) {
+      if (next == RangeImage::kNone) return;
+      const auto b = static_cast<std::uint32_t>(next);
+      if (cluster[b] != cluster[i]) return;
+      if (std::abs(image.rangeOf(b) - image.rangeOf(i)) < jump) pieces.unite(i, b);
+    };
+    for (int right = 0; right <= reach; ++right) connect(image.at(row, column + right));
+    for (int right = -reach; right <= reach; ++right) connect(image.at(row + 1, column + right));
+  }
+}
 
 }  // namespace
 
@@ -81,7 +113,9 @@ ImagePieces::ImagePieces(const RangeImage& image,
       cluster_(cluster),
       root_(cluster.size()),
       size_(cluster.size(), 0) {
-  UnionFind pieces = Connector(image, cluster, jump, reach_).connect();
+  UnionFind pieces(cluster.size());
+  connectCells(image, cluster, jump, reach_, pieces);
+  connectHidden(image, cluster, jump, reach_, pieces);
   for (std::uint32_t i = 0; i < cluster.size(); ++i) {
     root_[i] = pieces.find(i);
     if (cluster[i] == Clusters::kNoise) continue;

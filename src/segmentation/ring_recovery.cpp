@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "segdf/segmentation/arc_tangent.hpp"
 
@@ -59,10 +60,13 @@ struct Cut {
   double scatter = 0.0;            ///< squared deviations from it, summed
 };
 
-/// Cuts where the sweep, measured from the azimuth `start`, falls back by more than half a turn.
-Cut cutAt(const std::vector<Direction>& directions, double start, double direction) {
-  Cut cut;
-  cut.rings.reserve(directions.size());
+/// Calls visit(ring) for every direction in turn: a ring ends where the sweep, measured from the
+/// azimuth `start`, falls back by more than half a turn.
+template <class Visit>
+void forEachRing(const std::vector<Direction>& directions,
+                 double start,
+                 double direction,
+                 const Visit& visit) {
   double previous = 0.0;
   std::int16_t ring = 0;
   for (const Direction& d : directions) {
@@ -72,9 +76,14 @@ Cut cutAt(const std::vector<Direction>& directions, double start, double directi
     if (swept >= 2.0 * kPi) swept -= 2.0 * kPi;
     if (swept < previous - kPi && ring <= static_cast<std::int16_t>(kMaxRings)) ++ring;
     previous = swept;
-    cut.rings.push_back(ring);
+    visit(ring);
   }
-  return cut;
+}
+
+std::int16_t lastRing(const std::vector<Direction>& directions, double start, double direction) {
+  std::int16_t last = 0;
+  forEachRing(directions, start, direction, [&last](std::int16_t ring) { last = ring; });
+  return last;
 }
 
 void measureElevations(const std::vector<Direction>& directions, Cut& cut) {
@@ -97,6 +106,15 @@ void measureElevations(const std::vector<Direction>& directions, Cut& cut) {
   }
 }
 
+Cut cutAt(const std::vector<Direction>& directions, double start, double direction) {
+  Cut cut;
+  cut.rings.reserve(directions.size());
+  forEachRing(directions, start, direction,
+              [&cut](std::int16_t ring) { cut.rings.push_back(ring); });
+  measureElevations(directions, cut);
+  return cut;
+}
+
 /// The cut with the fewest rings, since a wrong start cuts one ring more, and of these the most
 /// even one.
 Cut bestCut(const std::vector<Direction>& directions) {
@@ -105,15 +123,14 @@ Cut bestCut(const std::vector<Direction>& directions) {
   if (!directions.empty()) {
     starts.push_back(directions.front().azimuth - direction * kStartMargin);
   }
+  std::vector<std::int16_t> rings;
+  for (double start : starts) rings.push_back(lastRing(directions, start, direction));
+  const std::int16_t fewest = *std::min_element(rings.begin(), rings.end());
   Cut best;
-  std::pair<std::size_t, double> least{~std::size_t{0}, 0.0};
-  for (double start : starts) {
-    Cut cut = cutAt(directions, start, direction);
-    measureElevations(directions, cut);
-    const std::pair<std::size_t, double> cost{cut.elevations.size(), cut.scatter};
-    if (cost >= least) continue;
-    least = cost;
-    best = std::move(cut);
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    if (rings[k] != fewest) continue;
+    Cut cut = cutAt(directions, starts[k], direction);
+    if (best.rings.empty() || cut.scatter < best.scatter) best = std::move(cut);
   }
   return best;
 }
