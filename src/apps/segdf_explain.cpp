@@ -29,6 +29,7 @@ std::string sentence(const segdf::EvidenceRow& row) {
   if (row.reason == "track") return "goes with its track, which moves; " + votes;
   if (row.reason == "split") return "split off " + std::to_string(row.parent) + ": this part moved";
   if (row.reason == "kept") return "split off " + std::to_string(row.parent) + ": this part stood";
+  if (row.reason == "enclosed") return "lies inside a removed instance, and goes with it; " + votes;
   return votes;
 }
 

@@ -35,6 +35,8 @@ std::string toString(Reason reason) {
       return "split";
     case Reason::kKept:
       return "kept";
+    case Reason::kEnclosed:
+      return "enclosed";
     case Reason::kNoEvidence:
       break;
   }

@@ -34,11 +34,12 @@ enum class Reason : std::uint8_t {
   kRestored,     ///< the votes made it dynamic, but hardly any other member of its track
   kSplit,        ///< the moved part of a standing instance
   kKept,         ///< the standing part of a moved instance
+  kEnclosed,     ///< lies inside a moved instance, and was hardly found again
 };
-constexpr std::size_t kReasons = 8;
+constexpr std::size_t kReasons = 9;
 
 /// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "restored",
-/// "split", "kept".
+/// "split", "kept", "enclosed".
 std::string toString(Reason reason);
 
 /// What another key frame says of an instance.
