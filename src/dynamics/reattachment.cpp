@@ -34,13 +34,11 @@ std::vector<Eigen::Vector2f> upperPoints(const KeyFrame& frame,
                                          const LocalGround& ground,
                                          float low) {
   std::vector<Eigen::Vector2f> upper;
-  std::vector<Eigen::Vector2f> all;
   for (std::uint32_t i : segment.points) {
-    const Eigen::Vector2f x = frame.scan.points[i].position().head<2>();
-    all.push_back(x);
-    if (ground.heightOf(i) > low) upper.push_back(x);
+    if (ground.heightOf(i) <= low) continue;
+    upper.emplace_back(frame.scan.points[i].position().head<2>());
   }
-  return upper.size() >= kMinUpper ? upper : all;
+  return upper.size() >= kMinUpper ? upper : seenFromAbove(frame, segment.points);
 }
 
 /// The places of a frame's dynamic instances, with a margin around them.
