@@ -37,6 +37,8 @@ std::string toString(Reason reason) {
       return "kept";
     case Reason::kLeft:
       return "left";
+    case Reason::kEnclosed:
+      return "enclosed";
     case Reason::kNoEvidence:
       break;
   }

@@ -37,6 +37,14 @@ void describeAndClassify(KeyFrame& frame, const ClassConfig& config, int threads
   });
 }
 
+std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame,
+                                           const std::vector<std::uint32_t>& points) {
+  std::vector<Eigen::Vector2f> places;
+  places.reserve(points.size());
+  for (std::uint32_t i : points) places.emplace_back(frame.scan.points[i].position().head<2>());
+  return places;
+}
+
 void uniteSegments(KeyFrame& frame,
                    const std::vector<std::uint32_t>& groups,
                    std::size_t count,

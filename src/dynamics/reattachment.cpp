@@ -10,6 +10,7 @@
 #include "segdf/dynamics/area_index.hpp"
 #include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/footprint.hpp"
+#include "segdf/dynamics/frame_segments.hpp"
 #include "segdf/dynamics/local_ground.hpp"
 
 namespace segdf {
@@ -17,6 +18,8 @@ namespace segdf {
 namespace {
 
 constexpr std::uint8_t kFreeRatio = 2;
+constexpr float kNear = 2.0F;      // metres: about half a car, seen from one end
+constexpr double kEnclosed = 0.5;  // share of an instance inside of another
 constexpr std::size_t kMinUpper = 3;
 
 /// Seen from above.
@@ -31,13 +34,52 @@ std::vector<Eigen::Vector2f> upperPoints(const KeyFrame& frame,
                                          const LocalGround& ground,
                                          float low) {
   std::vector<Eigen::Vector2f> upper;
-  std::vector<Eigen::Vector2f> all;
   for (std::uint32_t i : segment.points) {
-    const Eigen::Vector2f x = frame.scan.points[i].position().head<2>();
-    all.push_back(x);
-    if (ground.heightOf(i) > low) upper.push_back(x);
+    if (ground.heightOf(i) <= low) continue;
+    upper.emplace_back(frame.scan.points[i].position().head<2>());
   }
-  return upper.size() >= kMinUpper ? upper : all;
+  return upper.size() >= kMinUpper ? upper : seenFromAbove(frame, segment.points);
+}
+
+/// The places of a frame's dynamic instances, with a margin around them.
+class MovedPlaces {
+ public:
+  MovedPlaces(const KeyFrame& frame, float margin) : margin_(margin) {
+    for (std::size_t s = 0; s < frame.instances.size(); ++s) {
+      const Segment& segment = frame.seg.segments[s];
+      if (!frame.instances[s].dynamic || segment.points.empty()) continue;
+      footprints_.emplace_back(seenFromAbove(frame, segment.points), margin);
+      bounds_.push_back(segment.bounds);
+    }
+  }
+
+  /// True in the footprint of an instance, not much higher or lower than it is.
+  bool contain(const Eigen::Vector3f& place) const {
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      if (bounds_[k].exteriorDistance(place) > margin_) continue;
+      if (footprints_[k].contains(place.head<2>())) return true;
+    }
+    return false;
+  }
+  /// True when they contain most of a segment.
+  bool enclose(const KeyFrame& frame, const Segment& segment) const {
+    const auto inside =
+        std::count_if(segment.points.begin(), segment.points.end(),
+                      [&](std::uint32_t i) { return contain(frame.scan.points[i].position()); });
+    return static_cast<double>(inside) >= kEnclosed * static_cast<double>(segment.points.size());
+  }
+
+ private:
+  float margin_;
+  std::vector<Footprint> footprints_;
+  std::vector<Eigen::AlignedBox3f> bounds_;
+};
+
+/// True for what nothing proves to stand: the votes left it static, but few found it again.
+bool isUnproven(const Instance& instance, const DynamicConfig& config) {
+  const bool by_votes = instance.reason == Reason::kVotes || instance.reason == Reason::kNoEvidence;
+  return !instance.dynamic && by_votes &&
+         instance.static_votes < static_cast<std::uint32_t>(config.keep_hits);
 }
 
 /// A removed instance and the ground that it stands on.
@@ -102,7 +144,18 @@ std::vector<std::uint8_t> groundAndLoosePoints(const KeyFrame& frame) {
 
 }  // namespace
 
+void removeEnclosed(KeyFrame& frame, const DynamicConfig& config) {
+  const MovedPlaces moved(frame, static_cast<float>(config.foot_margin));
+  for (std::size_t s = 0; s < frame.instances.size(); ++s) {
+    Instance& instance = frame.instances[s];
+    if (!isUnproven(instance, config) || !moved.enclose(frame, frame.seg.segments[s])) continue;
+    instance.dynamic = true;
+    instance.reason = Reason::kEnclosed;
+  }
+}
+
 void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
+  const MovedPlaces near(frame, kNear);
   const FrameEvidence& evidence = *frame.evidence;
   const std::size_t loose = evidence.begin.size() - 2;
   const auto least = static_cast<std::uint8_t>(config.loose_votes);
@@ -111,7 +164,11 @@ void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
     const std::uint32_t i = evidence.listed[evidence.first[k]];
     // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
     if (frame.seg.height[i] < static_cast<float>(config.foot_height)) continue;
-    if (e.free >= least && e.free >= kFreeRatio * e.hit) frame.removed.push_back(i);
+    const bool moved = e.free >= least && e.free >= kFreeRatio * e.hit;
+    const bool may_have_moved = e.free > 0 && e.free >= e.hit;
+    if (moved || (may_have_moved && near.contain(frame.scan.points[i].position()))) {
+      frame.removed.push_back(i);
+    }
   }
 }
 

@@ -84,28 +84,12 @@ void separate(KeyFrame& frame, std::size_t segment, const Indices& part, IdSourc
   instance.reason = reason;
 }
 
-std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame, const Indices& points) {
-  std::vector<Eigen::Vector2f> places;
-  for (std::uint32_t i : points) places.emplace_back(frame.scan.points[i].position().head<2>());
-  return places;
-}
-
 /// True when most of the part lies beside what moved, and not under it.
 bool isBeside(const KeyFrame& frame, const Indices& part, const Footprint& moved) {
   const auto outside = std::count_if(part.begin(), part.end(), [&](std::uint32_t i) {
     return !moved.contains(frame.scan.points[i].position().head<2>());
   });
   return static_cast<double>(outside) >= kBeside * static_cast<double>(part.size());
-}
-
-double heightOf(const KeyFrame& frame, const Indices& part) {
-  float low = frame.scan.points[part.front()].z;
-  float high = low;
-  for (std::uint32_t i : part) {
-    low = std::min(low, frame.scan.points[i].z);
-    high = std::max(high, frame.scan.points[i].z);
-  }
-  return static_cast<double>(high - low);
 }
 
 }  // namespace
@@ -145,8 +129,7 @@ void keepStanding(KeyFrame& frame,
     const Footprint footprint(seenFromAbove(frame, moved), kMovedMargin);
     for (const Indices& part : connectedParts(frame, standing, grid)) {
       if (part.size() < static_cast<std::size_t>(config.df.keep_min)) continue;
-      const bool high = heightOf(frame, part) > config.df.keep_height;
-      if (high || isBeside(frame, part, footprint)) separate(frame, s, part, ids);
+      if (isBeside(frame, part, footprint)) separate(frame, s, part, ids);
     }
   }
 }

@@ -85,6 +85,7 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
   const std::vector<PlaceEvidence> by_point = evidenceByPoint(frame);
   splitMoved(frame, by_point, config_, grid_, ids_);
   keepStanding(frame, by_point, config_, grid_, ids_);
+  removeEnclosed(frame, config_.df);
   removeLoosePoints(frame, config_.df);
   settleGround(frame, config_.df);
   if (remembers()) places_.note(frame);

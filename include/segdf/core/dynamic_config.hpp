@@ -44,7 +44,6 @@ struct DynamicConfig {
   double vote_share = 0.20;
   int split_min = 12;
   int keep_min = 30;
-  double keep_height = 0.4;
   int keep_hits = 3;
   double keep_delay = 0.5;
   int loose_votes = 3;
@@ -89,7 +88,6 @@ struct DynamicConfig {
     v.integer("split_min", s.split_min, 1, 1000, "points", "smallest dynamic part of an instance");
     v.integer("keep_min", s.keep_min, 1, 1000, "points",
               "smallest static part of a dynamic instance");
-    v.number("keep_height", s.keep_height, 0.0, 5.0, "m", "and its least height");
     v.integer("keep_hits", s.keep_hits, 1, 100, "pairs", "hits that make a point static");
     v.number("keep_delay", s.keep_delay, 0.0, 10.0, "s",
              "only hits from frames at least so far away in time count");

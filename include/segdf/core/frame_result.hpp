@@ -34,12 +34,13 @@ enum class Reason : std::uint8_t {
   kRestored,     ///< the votes made it dynamic, but hardly any other member of its track
   kSplit,        ///< the moved part of a standing instance
   kKept,         ///< the standing part of a moved instance
+  kEnclosed,     ///< lies inside a moved instance, and was hardly found again
   kLeft,         ///< it stood, and later scans saw through its place (Revocation)
 };
-constexpr std::size_t kReasons = 9;
+constexpr std::size_t kReasons = 10;
 
 /// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "restored",
-/// "split", "kept", "left".
+/// "split", "kept", "enclosed", "left".
 std::string toString(Reason reason);
 
 /// What another key frame says of an instance.

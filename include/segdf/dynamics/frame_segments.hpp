@@ -16,6 +16,10 @@ void describe(KeyFrame& frame, Segment& segment);
 /// Box, features and class of every segment.
 void describeAndClassify(KeyFrame& frame, const ClassConfig& config, int threads);
 
+/// Places of points seen from above, sensor frame, metres.
+std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame,
+                                           const std::vector<std::uint32_t>& points);
+
 /// Unites segments: `groups[s]` is the group of segment s. The groups are numbered 0..count-1 in
 /// the order of their first member; `frame.instances` must still be without ids. Members' points,
 /// voxels and bounds are joined, and a group of several is described, classified and marked fused.

@@ -6,8 +6,15 @@
 
 namespace segdf {
 
+/// Makes dynamic what most of lies inside a dynamic instance (within df.foot_margin of its hull)
+/// and was left static for want of evidence: fewer than df.keep_hits frames found it again. A
+/// removed object fills its place, so that its pieces alone can be there.
+void removeEnclosed(KeyFrame& frame, const DynamicConfig& config);
+
 /// Removes object points of no instance that at least df.loose_votes others saw through, twice as
 /// often as they found them again, unless they lie lower than df.foot_height (method.md 6.12, 7).
+/// Within 2 m of a dynamic instance, of which they may be the far side, once is enough, and as
+/// often as they were found again.
 void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config);
 
 /// Settles what lies low around removed instances (method.md 6.7): ground points, and points of no

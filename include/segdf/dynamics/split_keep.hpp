@@ -21,7 +21,8 @@ void splitMoved(KeyFrame& frame,
 
 /// Keep (method.md 6.5): takes the parts of dynamic instances that others found again, and never
 /// saw through, out of them and makes them static instances. Parts are connected, have at least
-/// df.keep_min points, and are higher than df.keep_height or lie beside what moved.
+/// df.keep_min points, and lie beside what moved: within its footprint only its own parts can be,
+/// found again where the next ones of a row of vehicles came by.
 /// @param by_point evidenceByPoint(frame)
 void keepStanding(KeyFrame& frame,
                   const std::vector<PlaceEvidence>& by_point,
