@@ -193,13 +193,14 @@ class Carver {
          const RangeImage& image,
          const std::vector<float>& height,
          const CarveConfig& config,
+         const ImagePieces& pieces,
          std::vector<std::int32_t>& cluster)
       : points_(points),
         image_(image),
         height_(height),
         config_(config),
-        cluster_(cluster),
-        pieces_(image, cluster, static_cast<float>(config.jump)) {}
+        pieces_(pieces),
+        cluster_(cluster) {}
 
   /// Gives what is carved numbers from `count` on. @returns how many there are then
   std::size_t carve(std::size_t count) {
@@ -309,8 +310,8 @@ class Carver {
   const RangeImage& image_;
   const std::vector<float>& height_;
   const CarveConfig& config_;
+  const ImagePieces& pieces_;           ///< of `cluster_`
   std::vector<std::int32_t>& cluster_;  ///< of each point
-  ImagePieces pieces_;
 };
 
 }  // namespace
@@ -321,11 +322,18 @@ void carveClusters(const std::vector<Point>& points,
                    const Config& config,
                    const CurvedVoxels& voxels,
                    Clusters& clusters) {
+  const CarveConfig& person = config.person;
+  const CarveConfig& bicycle = config.bicycle;
+  if (person.jump <= 0.0 && bicycle.jump <= 0.0) return;
   std::vector<std::int32_t> cluster = clusterOfPoints(points.size(), voxels, clusters);
   std::size_t count = clusters.count;
-  for (const CarveConfig& kind : {config.person, config.bicycle}) {
-    if (kind.jump <= 0.0) continue;
-    count = Carver(points, image, height, kind, cluster).carve(count);
+  ImagePieces pieces(image, cluster, static_cast<float>(person.jump),
+                     static_cast<float>(bicycle.jump));
+  if (person.jump > 0.0)
+    count = Carver(points, image, height, person, pieces, cluster).carve(count);
+  if (bicycle.jump > 0.0) {
+    pieces.proceed(cluster);
+    count = Carver(points, image, height, bicycle, pieces, cluster).carve(count);
   }
   if (count == clusters.count) return;
   assignVoxels(voxels, cluster, clusters);

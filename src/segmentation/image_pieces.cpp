@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "segdf/segmentation/clustering.hpp"
-#include "segdf/segmentation/union_find.hpp"
 
 namespace segdf {
 
@@ -25,104 +24,121 @@ int reachOf(const RangeImage& image, std::size_t points) {
   return std::clamp((2 * image.columns() + fullest / 2) / fullest, kLeastReach, kMostReach);
 }
 
-/// The cells of the range image side by side, with a rim of wrapped columns and an empty row below,
-/// so that neighbours need no bounds.
-class Cells {
+/// Unites neighbours that differ by less than `jump`, and keeps those from there to `next_jump`.
+class Connector {
  public:
-  Cells(const RangeImage& image, const std::vector<std::int32_t>& cluster, int reach)
-      : stride_(image.columns() + 2 * reach),
-        cells_(static_cast<std::size_t>((image.rows() + 1) * stride_)) {
-    std::size_t cell = 0;
-    for (int row = 0; row < image.rows(); ++row) {
-      for (int column = -reach; column < image.columns() + reach; ++column, ++cell) {
-        const std::int32_t i = image.at(row, column);
-        if (i == RangeImage::kNone) continue;
-        const auto point = static_cast<std::size_t>(i);
-        cells_[cell] = {static_cast<std::uint32_t>(i), cluster[point], image.rangeOf(point)};
-      }
+  Connector(const RangeImage& image,
+            const std::vector<std::int32_t>& cluster,
+            float jump,
+            float next_jump,
+            int reach,
+            UnionFind& pieces,
+            std::vector<ImageLink>& next_links)
+      : image_(image),
+        cluster_(cluster),
+        jump_(jump),
+        next_jump_(next_jump),
+        reach_(reach),
+        pieces_(pieces),
+        next_links_(next_links) {}
+
+  /// To the point that the image holds of its cell, to those to the right and to those below.
+  void connect(std::uint32_t i) {
+    const int row = image_.rowOf(i);
+    const int column = image_.columnOf(i);
+    std::uint32_t root = pieces_.find(i);
+    for (int right = 0; right <= reach_; ++right) {
+      root = connectPair(i, root, image_.at(row, column + right));
+    }
+    for (int right = -reach_; right <= reach_; ++right) {
+      root = connectPair(i, root, image_.at(row + 1, column + right));
     }
   }
-
-  struct Cell {
-    std::uint32_t point = 0;
-    std::int32_t cluster = Clusters::kNoise;
-    float range = 0.0F;
-  };
-
-  /// @param column from the image's first, without the rim
-  const Cell* at(int row, int column, int reach) const {
-    return cells_.data() + static_cast<std::ptrdiff_t>(row) * stride_ + column + reach;
-  }
-  std::ptrdiff_t stride() const { return stride_; }
 
  private:
-  std::ptrdiff_t stride_;
-  std::vector<Cell> cells_;
+  /// @returns the root of `a` afterwards
+  std::uint32_t connectPair(std::uint32_t a, std::uint32_t root, std::int32_t neighbour) {
+    const auto b = static_cast<std::uint32_t>(neighbour);
+    if (neighbour == RangeImage::kNone || a == b || cluster_[a] != cluster_[b]) return root;
+    const float difference = std::abs(image_.rangeOf(a) - image_.rangeOf(b));
+    if (difference < jump_) return pieces_.unite(root, b);
+    if (difference < next_jump_) next_links_.push_back({a, b});
+    return root;
+  }
+
+  const RangeImage& image_;
+  const std::vector<std::int32_t>& cluster_;
+  float jump_;
+  float next_jump_;
+  int reach_;
+  UnionFind& pieces_;
+  std::vector<ImageLink>& next_links_;
 };
 
-/// Connects what the image holds of each cell to what lies to the right and below.
-void connectCells(const RangeImage& image,
-                  const std::vector<std::int32_t>& cluster,
-                  float jump,
-                  int reach,
-                  UnionFind& pieces) {
-  const Cells cells(image, cluster, reach);
-  for (int row = 0; row < image.rows(); ++row) {
-    for (int column = 0; column < image.columns(); ++column) {
-      const Cells::Cell* cell = cells.at(row, column, reach);
-      if (cell->cluster == Clusters::kNoise) continue;
-      const auto connect = [&](const Cells::Cell& next) {
-        if (next.cluster != cell->cluster || std::abs(next.range - cell->range) >= jump) return;
-        pieces.unite(cell->point, next.point);
-      };
-      for (int right = 1; right <= reach; ++right) connect(cell[right]);
-      for (int right = -reach; right <= reach; ++right) connect(cell[cells.stride() + right]);
-    }
+std::size_t numberOfClusters(const std::vector<std::int32_t>& cluster) {
+  std::size_t count = 0;
+  for (std::int32_t c : cluster) {
+    if (c != Clusters::kNoise) count = std::max(count, static_cast<std::size_t>(c) + 1);
   }
-}
-
-/// Connects the points of a cell that the image does not hold to the one that it does, and to what
-/// lies to the right of it and below.
-void connectHidden(const RangeImage& image,
-                   const std::vector<std::int32_t>& cluster,
-                   float jump,
-                   int reach,
-                   UnionFind& pieces) {
-  for (std::uint32_t i = 0; i < cluster.size(); ++i) {
-    if (cluster[i] == Clusters::kNoise) continue;
-    const int row = image.rowOf(i);
-    const int column = image.columnOf(i);
-    if (image.at(row, column) == static_cast<std::int32_t>(i)) continue;
-    const auto connect = [&](std::int32_t next) {
-      if (next == RangeImage::kNone) return;
-      const auto b = static_cast<std::uint32_t>(next);
-      if (cluster[b] != cluster[i]) return;
-      if (std::abs(image.rangeOf(b) - image.rangeOf(i)) < jump) pieces.unite(i, b);
-    };
-    for (int right = 0; right <= reach; ++right) connect(image.at(row, column + right));
-    for (int right = -reach; right <= reach; ++right) connect(image.at(row + 1, column + right));
-  }
+  return count;
 }
 
 }  // namespace
 
 ImagePieces::ImagePieces(const RangeImage& image,
                          const std::vector<std::int32_t>& cluster,
-                         float jump)
-    : reach_(reachOf(image, cluster.size())),
+                         float jump,
+                         float next_jump)
+    : image_(image),
+      jump_(jump),
+      next_jump_(next_jump),
+      reach_(reachOf(image, cluster.size())),
       cluster_(cluster),
-      root_(cluster.size()),
-      size_(cluster.size(), 0) {
-  UnionFind pieces(cluster.size());
-  connectCells(image, cluster, jump, reach_, pieces);
-  connectHidden(image, cluster, jump, reach_, pieces);
+      pieces_(cluster.size()) {
+  Connector connector(image_, cluster_, jump, next_jump, reach_, pieces_, next_links_);
   for (std::uint32_t i = 0; i < cluster.size(); ++i) {
-    root_[i] = pieces.find(i);
-    if (cluster[i] == Clusters::kNoise) continue;
+    if (cluster[i] != Clusters::kNoise) connector.connect(i);
+  }
+  count();
+}
+
+std::vector<std::uint8_t> ImagePieces::findStale(const std::vector<std::int32_t>& cluster) const {
+  std::vector<std::uint8_t> stale(cluster_size_.size(), next_jump_ < jump_ ? 1 : 0);
+  for (std::size_t i = 0; i < cluster.size(); ++i) {
+    if (cluster[i] != cluster_[i]) stale[static_cast<std::size_t>(cluster_[i])] = 1;
+  }
+  return stale;
+}
+
+void ImagePieces::proceed(const std::vector<std::int32_t>& cluster) {
+  const std::vector<std::uint8_t> stale = findStale(cluster);
+  const auto is_stale = [&](std::uint32_t i) {
+    return cluster_[i] != Clusters::kNoise && stale[static_cast<std::size_t>(cluster_[i])] != 0;
+  };
+  for (std::uint32_t i = 0; i < cluster.size(); ++i) {
+    if (is_stale(i)) pieces_.isolate(i);
+  }
+  std::vector<ImageLink> none;
+  Connector connector(image_, cluster, next_jump_, next_jump_, reach_, pieces_, none);
+  for (std::uint32_t i = 0; i < cluster.size(); ++i) {
+    if (is_stale(i)) connector.connect(i);
+  }
+  for (const ImageLink& link : next_links_) {
+    if (!is_stale(link.a)) pieces_.unite(link.a, link.b);
+  }
+  cluster_ = cluster;
+  count();
+}
+
+void ImagePieces::count() {
+  root_.resize(cluster_.size());
+  size_.assign(cluster_.size(), 0);
+  cluster_size_.assign(numberOfClusters(cluster_), 0);
+  for (std::uint32_t i = 0; i < cluster_.size(); ++i) {
+    root_[i] = pieces_.find(i);
+    if (cluster_[i] == Clusters::kNoise) continue;
     ++size_[root_[i]];
-    const auto c = static_cast<std::size_t>(cluster[i]);
-    if (c >= cluster_size_.size()) cluster_size_.resize(c + 1, 0);
-    ++cluster_size_[c];
+    ++cluster_size_[static_cast<std::size_t>(cluster_[i])];
   }
 }
 

@@ -31,6 +31,9 @@ class UnionFind {
     return a;
   }
 
+  /// Makes it a set of its own. To be done to all members of a set.
+  void isolate(std::uint32_t x) { parent_[x] = x; }
+
  private:
   std::vector<std::uint32_t> parent_;
 };
