@@ -43,6 +43,22 @@ TEST(InstanceTable, AddsUpOverFrames) {
   EXPECT_FALSE(records[1].isDynamic());
 }
 
+TEST(InstanceTable, WhatIsRevokedCountsAsRemoved) {
+  InstanceTable table;
+  FrameResult frame;
+  frame.instances = {observation(3, ObjectClass::kHighMobility, 10, false)};
+  frame.instances[0].reason = Reason::kVotes;
+  for (int k = 0; k < 4; ++k) table.add(frame);
+  Revocation revocation;
+  revocation.id = 3;
+  revocation.frames = 3;
+  revocation.points = 30;
+  table.revoke(revocation);
+  EXPECT_EQ(table.records()[0].dynamic_points, 30U);
+  EXPECT_TRUE(table.records()[0].isDynamic());
+  EXPECT_EQ(table.records()[0].reason(), Reason::kLeft);
+}
+
 TEST(InstanceTable, VerdictNeedsHalfOfThePoints) {
   InstanceTable table;
   FrameResult frame;

@@ -49,6 +49,28 @@ TEST(StaticMap, SeeingTheSameAgainAddsNothing) {
   EXPECT_TRUE(map.points().empty());
 }
 
+TEST(StaticMap, WhatIsRevokedLeavesRoomForWhatComesLater) {
+  StaticMap map(0.1);
+  FrameResult frame = frameWith({PointState::kStatic, PointState::kStatic, PointState::kGround});
+  for (std::size_t scan : {4U, 5U}) {
+    frame.index = scan;
+    map.add(frame);
+  }
+  Revocation revocation;
+  revocation.id = 70001;
+  revocation.first = 5;
+  revocation.last = 9;
+  EXPECT_TRUE(map.revoke(revocation).empty()) << "the point came with scan 4";
+  revocation.first = 0;
+  const std::vector<MapPoint> revoked = map.revoke(revocation);
+  ASSERT_EQ(revoked.size(), 1U);
+  EXPECT_EQ(revoked[0].instance, 70001U);
+  ASSERT_EQ(map.points().size(), 2U);
+  EXPECT_EQ(map.points()[1].label, 40U) << "the others keep their order";
+  map.add(frame);
+  EXPECT_EQ(map.points().size(), 3U);
+}
+
 TEST(StaticMap, NegativeCoordinatesHaveTheirOwnVoxels) {
   FrameResult frame = frameWith({PointState::kStatic, PointState::kStatic});
   frame.scan.points[0].x = -0.05F;
