@@ -250,7 +250,8 @@ TEST(Simulator, RawIntensityFallsWithTheRange) {
   double far = 0.0;
   std::size_t near_count = 0;
   std::size_t far_count = 0;
-  for (const Point& p : simulate(config)[0].scan.points) {
+  const std::vector<SimulatedScan> scans = simulate(config);
+  for (const Point& p : scans[0].scan.points) {
     const double range = p.position().cast<double>().norm();
     ASSERT_GE(p.intensity, 0.0F);
     ASSERT_LE(p.intensity, 1.0F);
