@@ -167,6 +167,23 @@ TEST(Ground, AFloatingPatchIsNoGround) {
   }
 }
 
+/// Behind a wall the lowest line that is seen of a car has nothing below it in its patch; the road
+/// is seen beside the wall.
+TEST(Ground, ACarWhoseFootIsHiddenIsNoGround) {
+  test::BoxWorld world;
+  world.add(20.0, 1.5, 0.2, 3.5, 1.2);
+  world.add(31.0, 2.2, 6.0, 1.8, 1.0);
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Ground ground = groundOf(scan);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    if (scan.points[i].x < 27.5F || worldHeight(scan, i) < 0.5) continue;
+    ++seen;
+    ASSERT_EQ(ground.is_ground[i], 0) << worldHeight(scan, i);
+  }
+  EXPECT_GT(seen, 10U);
+}
+
 /// Half of the scan missing: the other half is judged as before.
 TEST(Ground, HalfAScanIsEnough) {
   const Scan whole = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
