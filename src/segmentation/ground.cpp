@@ -21,6 +21,8 @@ constexpr double kSteepestRoad = 0.15;
 // Below this ratio of the two larger eigenvalues a patch is one scan line, and its plane is not
 // determined.
 constexpr double kLineRatio = 0.01;
+// A plane near the sensor that holds a smaller share of its patch is one of reflections.
+constexpr double kLeastShare = 0.02;
 
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< upward; zero when not determined
@@ -76,6 +78,9 @@ class PatchFitter {
       plane = fitPlane(ground, origin);
       ground = sum(begin, end, origin, [&](const PatchPoint& p) { return isOn(plane, p); });
     }
+    if (near && ground.count < kLeastShare * static_cast<double>(end - begin)) {
+      return fit(begin, dropUpTo(plane, begin, end), ring);
+    }
     if (!accepts(plane, ring)) return std::nullopt;
     return PatchGround{plane, begin, end};
   }
@@ -120,6 +125,13 @@ class PatchFitter {
       });
     }
     return end;
+  }
+
+  /// Takes out what is on the plane or below. @returns the new end
+  PatchPoint* dropUpTo(const Plane& plane, PatchPoint* begin, PatchPoint* end) const {
+    return std::remove_if(begin, end, [&](const PatchPoint& p) {
+      return plane.signedDistance(p.position()) < config_.th_dist;
+    });
   }
 
   /// The points near the height of the lowest.
