@@ -21,6 +21,8 @@ constexpr double kSteepestRoad = 0.15;
 // Below this ratio of the two larger eigenvalues a patch is one scan line, and its plane is not
 // determined.
 constexpr double kLineRatio = 0.01;
+// A plane near the sensor that holds a smaller share of its patch is one of reflections.
+constexpr double kLeastShare = 0.02;
 
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< upward; zero when not determined
@@ -76,6 +78,9 @@ class PatchFitter {
       plane = fitPlane(ground, origin);
       ground = sum(begin, end, origin, [&](const PatchPoint& p) { return isOn(plane, p); });
     }
+    if (near && ground.count < kLeastShare * static_cast<double>(end - begin)) {
+      return fit(begin, dropUpTo(plane, begin, end), ring);
+    }
     if (!accepts(plane, ring)) return std::nullopt;
     return PatchGround{plane, begin, end};
   }
@@ -122,6 +127,13 @@ class PatchFitter {
     return end;
   }
 
+  /// Takes out what is on the plane or below. @returns the new end
+  PatchPoint* dropUpTo(const Plane& plane, PatchPoint* begin, PatchPoint* end) const {
+    return std::remove_if(begin, end, [&](const PatchPoint& p) {
+      return plane.signedDistance(p.position()) < config_.th_dist;
+    });
+  }
+
   /// The points near the height of the lowest.
   Moments seeds(const PatchPoint* begin,
                 const PatchPoint* end,
@@ -155,30 +167,39 @@ class PatchFitter {
 using PatchGrounds = std::vector<std::optional<PatchGround>>;
 
 /// Takes out patches that float: a car's roof or bonnet that fills its patch is as flat and level
-/// as ground, but stands higher over the ground next to it than a road climbs. Goes outwards, so
-/// that what a patch is compared with has been judged.
+/// as ground, and so is the lowest line seen of a car whose foot is hidden, but it stands higher
+/// over the ground next to it than a road climbs.
 class FloatingPatches {
  public:
   FloatingPatches(const ConcentricZones& zones, const GroundConfig& config)
       : zones_(zones), config_(config) {}
 
+  /// Each sweep goes away from what a patch is compared with, so that this has been judged.
   void drop(PatchGrounds& grounds) const {
     for (int patch = 0; patch < zones_.patches(); ++patch) {
-      auto& ground = grounds[static_cast<std::size_t>(patch)];
-      const PatchGround* inner = innerGround(patch, grounds);
-      if (ground && inner != nullptr && floats(ground->plane, inner->plane)) ground.reset();
+      judge(
+          patch, [&](int p) { return zones_.innerNeighbour(p); }, grounds);
+    }
+    for (int patch = 0; patch < zones_.patches(); ++patch) {
+      judge(
+          patch, [&](int p) { return zones_.sideNeighbour(p, -1); }, grounds);
+    }
+    for (int patch = zones_.patches() - 1; patch >= 0; --patch) {
+      judge(
+          patch, [&](int p) { return zones_.sideNeighbour(p, 1); }, grounds);
     }
   }
 
  private:
-  /// The next ground on the way to the sensor.
-  const PatchGround* innerGround(int patch, const PatchGrounds& grounds) const {
-    for (int inner = zones_.innerNeighbour(patch); inner >= 0;
-         inner = zones_.innerNeighbour(inner)) {
-      const auto& ground = grounds[static_cast<std::size_t>(inner)];
-      if (ground) return &*ground;
-    }
-    return nullptr;
+  /// @param step from a patch to the one next to it, -1 where there is none
+  template <class Step>
+  void judge(int patch, const Step& step, PatchGrounds& grounds) const {
+    auto& ground = grounds[static_cast<std::size_t>(patch)];
+    if (!ground) return;
+    int next = step(patch);
+    while (next >= 0 && !grounds[static_cast<std::size_t>(next)]) next = step(next);
+    if (next < 0) return;
+    if (floats(ground->plane, grounds[static_cast<std::size_t>(next)]->plane)) ground.reset();
   }
 
   bool floats(const Plane& plane, const Plane& below) const {

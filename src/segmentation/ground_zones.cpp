@@ -124,6 +124,11 @@ int ConcentricZones::innerNeighbour(int patch) const {
   return inner.first_patch + (2 * sector + 1) * inner.sectors / (2 * ring.sectors);
 }
 
+int ConcentricZones::sideNeighbour(int patch, int way) const {
+  const Ring& ring = rings_[indexOf(patch)];
+  return ring.first_patch + (patch - ring.first_patch + way + ring.sectors) % ring.sectors;
+}
+
 int ConcentricZones::innerRings() const { return kRings[0]; }
 
 PatchedPoints sortIntoPatches(const std::vector<Point>& points,

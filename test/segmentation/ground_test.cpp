@@ -154,6 +154,25 @@ TEST(Ground, ReflectionsBelowGroundDoNotSinkAPatch) {
   }
 }
 
+/// More of them in one patch than give the seed height, in one plane, and not as deep: without them
+/// it is fitted anew, and the road beside it is not taken to float over them.
+TEST(Ground, ManyReflectionsInOnePatchLeaveTheRoadThereGround) {
+  const Scan clean = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
+  Scan mirrored = clean;
+  for (int k = 0; k < 30; ++k) {
+    const auto step = static_cast<float>(k);
+    mirrored.points.push_back({6.0F + 0.02F * step, 0.5F + 0.03F * step, -2.6F, 0.0F, 0.0F, -1});
+  }
+  const Ground before = groundOf(clean);
+  const Ground after = groundOf(mirrored);
+  for (std::size_t i = 0; i < clean.points.size(); ++i) {
+    ASSERT_EQ(after.is_ground[i], before.is_ground[i]) << i;
+  }
+  for (std::size_t i = clean.points.size(); i < mirrored.points.size(); ++i) {
+    ASSERT_EQ(after.is_ground[i], 0);
+  }
+}
+
 /// A car's roof that fills its patch is as flat as ground.
 TEST(Ground, AFloatingPatchIsNoGround) {
   test::BoxWorld world;
@@ -165,6 +184,23 @@ TEST(Ground, AFloatingPatchIsNoGround) {
       ASSERT_EQ(ground.is_ground[i], 0);
     }
   }
+}
+
+/// Behind a wall the lowest line that is seen of a car has nothing below it in its patch; the road
+/// is seen beside the wall.
+TEST(Ground, ACarWhoseFootIsHiddenIsNoGround) {
+  test::BoxWorld world;
+  world.add(20.0, 1.5, 0.2, 3.5, 1.2);
+  world.add(31.0, 2.2, 6.0, 1.8, 1.0);
+  const Scan scan = world.scan(0.0, 0.0, 0.0, 0);
+  const Ground ground = groundOf(scan);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    if (scan.points[i].x < 27.5F || worldHeight(scan, i) < 0.5) continue;
+    ++seen;
+    ASSERT_EQ(ground.is_ground[i], 0) << worldHeight(scan, i);
+  }
+  EXPECT_GT(seen, 10U);
 }
 
 /// Half of the scan missing: the other half is judged as before.

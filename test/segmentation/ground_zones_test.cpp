@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +92,24 @@ TEST(GroundZones, TheInnerNeighbourIsOnTheWayToTheSensor) {
       ++rings;
     }
     EXPECT_GE(rings, 4);
+  }
+}
+
+TEST(GroundZones, TheSideNeighboursGoOnceAroundTheRing) {
+  const ConcentricZones zones(GroundConfig{}, RangeImageConfig{}, kHeight);
+  const std::vector<std::pair<double, int>> sectors{{5.0, 16}, {15.0, 32}, {30.0, 54}, {70.0, 32}};
+  for (const auto& [range, count] : sectors) {
+    const int start = zones.patchOf(ahead(range));
+    const auto x = static_cast<float>(range);
+    EXPECT_EQ(zones.sideNeighbour(start, -1), zones.patchOf({x, -0.05F * x, 0.0F, 0.0F, 0.0F, -1}));
+    int patch = start;
+    for (int k = 1; k < count; ++k) {
+      const int last = patch;
+      patch = zones.sideNeighbour(patch, 1);
+      EXPECT_NE(patch, start) << range;
+      EXPECT_EQ(zones.sideNeighbour(patch, -1), last);
+    }
+    EXPECT_EQ(zones.sideNeighbour(patch, 1), start);
   }
 }
 

@@ -99,7 +99,7 @@ struct GroundConfig {
     v.numbers("flatness", s.flatness, 0.0, 1.0, "",
               "rings 0..3: a higher patch is ground when its change of curvature is below");
     v.number("patch_step", s.patch_step, 0.0, 10.0, "m",
-             "no ground: a patch higher than the next towards the sensor by more than this ...");
+             "no ground: a patch higher than the next inwards or beside it by more than this ...");
     v.number("patch_slope", s.patch_slope, 0.0, 5.0, "", "... plus this share of their distance");
     v.number("foot_reach", s.foot_reach, 0.0, 5.0, "m",
              "no ground: the lasers above see something nearer to the point than this ...");

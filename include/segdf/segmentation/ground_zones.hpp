@@ -33,6 +33,9 @@ class ConcentricZones {
   int ringOf(int patch) const { return rings_[indexOf(patch)].number; }
   /// The patch before the middle of this one on the way to the sensor, -1 for the innermost ring.
   int innerNeighbour(int patch) const;
+  /// The patch beside it in its ring, at its left (1) or right (-1) seen from the sensor; wraps
+  /// around.
+  int sideNeighbour(int patch, int way) const;
   /// Rings 0 to innerRings() - 1 form the zone around the sensor.
   int innerRings() const;
 
