@@ -48,28 +48,26 @@ bool isNear(const Point& p) { return p.position().squaredNorm() < kReach * kReac
 }  // namespace
 
 PlaneMap::PlaneMap(const std::vector<Point>& points, const std::vector<PointRole>& roles) {
+  VoxelIndex voxels(kVoxel);
   std::vector<Moments> moments;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused || !isNear(points[i])) continue;
     const Eigen::Vector3f x = points[i].position();
-    const auto voxel = static_cast<std::size_t>(voxels_.insert(x));
+    const auto voxel = static_cast<std::size_t>(voxels.insert(x));
     if (voxel == moments.size()) moments.emplace_back();
     moments[voxel].add(x);
   }
-  plane_of_voxel_.assign(moments.size(), VoxelIndex::kNone);
-  for (std::size_t v = 0; v < moments.size(); ++v) {
+  for (const Moments& voxel : moments) {
     SmallPlane plane;
-    if (!isPlane(moments[v], plane)) continue;
-    plane_of_voxel_[v] = static_cast<std::int32_t>(planes_.size());
+    if (!isPlane(voxel, plane)) continue;
+    voxels_.insert(voxel.origin);
     planes_.push_back(plane);
   }
 }
 
 const SmallPlane* PlaneMap::at(const Eigen::Vector3f& place) const {
   const std::int32_t voxel = voxels_.find(place);
-  if (voxel == VoxelIndex::kNone) return nullptr;
-  const std::int32_t plane = plane_of_voxel_[static_cast<std::size_t>(voxel)];
-  return plane == VoxelIndex::kNone ? nullptr : &planes_[static_cast<std::size_t>(plane)];
+  return voxel == VoxelIndex::kNone ? nullptr : &planes_[static_cast<std::size_t>(voxel)];
 }
 
 std::vector<Eigen::Vector3f> thinForRegistration(const std::vector<Point>& points,

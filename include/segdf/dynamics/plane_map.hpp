@@ -31,9 +31,11 @@ class PlaneMap {
   std::size_t size() const { return planes_.size(); }
 
  private:
-  VoxelIndex voxels_{0.8F};
-  std::vector<std::int32_t> plane_of_voxel_;  // -1: none
-  std::vector<SmallPlane> planes_;
+  static constexpr float kVoxel = 0.8F;  // metres
+
+  // Of a scan's voxels few have a plane, and of the others nobody asks more than that.
+  VoxelIndex voxels_{kVoxel};
+  std::vector<SmallPlane> planes_;  // of each of them
 };
 
 /// Points that are registered to another scan's planes: the first in each cell of 1 m, of the

@@ -29,10 +29,12 @@ class VoxelIndex {
 
   /// Number of the voxel of a place; a new one gets the next number.
   std::int32_t insert(const Eigen::Vector3f& place) {
-    if (2 * count_ >= slots_.size()) grow();
     const std::uint64_t key = keyOf(place);
+    if (key == last_.key && last_.number != kNone) return last_.number;
+    if (2 * count_ >= slots_.size()) grow();
     Slot& slot = slots_[slotOf(key)];
     if (slot.number == kNone) slot = {key, static_cast<std::int32_t>(count_++)};
+    last_ = slot;
     return slot.number;
   }
 
@@ -73,6 +75,7 @@ class VoxelIndex {
   float inverse_edge_;
   std::size_t count_ = 0;
   std::vector<Slot> slots_;
+  Slot last_;  // inserted: a scan's points come side by side
 };
 
 }  // namespace segdf
