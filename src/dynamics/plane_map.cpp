@@ -65,11 +65,6 @@ PlaneMap::PlaneMap(const std::vector<Point>& points, const std::vector<PointRole
   }
 }
 
-const SmallPlane* PlaneMap::at(const Eigen::Vector3f& place) const {
-  const std::int32_t voxel = voxels_.find(place);
-  return voxel == VoxelIndex::kNone ? nullptr : &planes_[static_cast<std::size_t>(voxel)];
-}
-
 std::vector<Eigen::Vector3f> thinForRegistration(const std::vector<Point>& points,
                                                  const std::vector<PointRole>& roles) {
   VoxelIndex objects(kObjectCell);

@@ -72,14 +72,14 @@ TEST(PlaneMap, FindsTheGroundLevelAndNoPlaneInACrown) {
   const PlaneMap planes(scan.points, roles);
   std::size_t found = 0;
   for (std::size_t i = 0; i < ground_points; i += 97) {
-    const SmallPlane* plane = planes.at(scan.points[i].position());
+    const SmallPlane* plane = planes.planeOf(planes.voxelOf(scan.points[i].position()));
     if (plane == nullptr) continue;
     ++found;
     EXPECT_GT(std::abs(plane->normal.z()), 0.999F);
     EXPECT_NEAR(plane->mean.z(), -1.73F, 0.01F);
   }
   EXPECT_GT(found, 10U);
-  EXPECT_EQ(planes.at({8.4F, 8.4F, 2.4F}), nullptr);
+  EXPECT_EQ(planes.planeOf(planes.voxelOf({8.4F, 8.4F, 2.4F})), nullptr);
 }
 
 }  // namespace

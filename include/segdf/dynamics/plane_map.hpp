@@ -26,8 +26,13 @@ class PlaneMap {
   PlaneMap() = default;
   PlaneMap(const std::vector<Point>& points, const std::vector<PointRole>& roles);
 
-  /// The plane of the voxel that holds a place, nullptr when it has none. Sensor frame, metres.
-  const SmallPlane* at(const Eigen::Vector3f& place) const;
+  /// Voxel of a place. Sensor frame, metres.
+  std::uint64_t voxelOf(const Eigen::Vector3f& place) const { return voxels_.keyOf(place); }
+  /// The plane of a voxel, nullptr when it has none.
+  const SmallPlane* planeOf(std::uint64_t voxel) const {
+    const std::int32_t plane = voxels_.find(voxel);
+    return plane == VoxelIndex::kNone ? nullptr : &planes_[static_cast<std::size_t>(plane)];
+  }
   std::size_t size() const { return planes_.size(); }
 
  private:

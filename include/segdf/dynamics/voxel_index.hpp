@@ -21,11 +21,18 @@ class VoxelIndex {
 
   std::size_t size() const { return count_; }
 
-  /// Number of the voxel of a place, kNone when it was never inserted.
-  std::int32_t find(const Eigen::Vector3f& place) const {
-    const Slot& slot = slots_[slotOf(keyOf(place))];
-    return slot.number;
+  /// Voxel of a place, the same for all places in it.
+  std::uint64_t keyOf(const Eigen::Vector3f& place) const {
+    std::uint64_t key = 0;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto cell = static_cast<std::int64_t>(std::floor(place[k] * inverse_edge_)) + kOffset;
+      key = (key << 21U) | (static_cast<std::uint64_t>(cell) & ((std::uint64_t{1} << 21U) - 1U));
+    }
+    return key;
   }
+
+  /// Number of a voxel, kNone when no place in it was ever inserted.
+  std::int32_t find(std::uint64_t key) const { return slots_[slotOf(key)].number; }
 
   /// Number of the voxel of a place; a new one gets the next number.
   std::int32_t insert(const Eigen::Vector3f& place) {
@@ -46,15 +53,6 @@ class VoxelIndex {
     std::uint64_t key = 0;
     std::int32_t number = kNone;
   };
-
-  std::uint64_t keyOf(const Eigen::Vector3f& place) const {
-    std::uint64_t key = 0;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const auto cell = static_cast<std::int64_t>(std::floor(place[k] * inverse_edge_)) + kOffset;
-      key = (key << 21U) | (static_cast<std::uint64_t>(cell) & ((std::uint64_t{1} << 21U) - 1U));
-    }
-    return key;
-  }
 
   /// The key's slot, or the empty one where it would go.
   std::size_t slotOf(std::uint64_t key) const {
