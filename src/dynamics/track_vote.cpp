@@ -44,32 +44,13 @@ Proof proofOf(const KeyFrame& frame, std::size_t segment) {
           std::min(frame.evidence->step, kLongestStep)};
 }
 
-/// What the window holds of one id.
-struct Track {
-  std::size_t members = 0;
-  std::vector<Proof> proofs;  ///< members that the votes make dynamic so far
-};
-using Tracks = std::map<std::uint32_t, Track>;
-
-Tracks tracksIn(const Window& window, const DynamicConfig& config) {
-  Tracks tracks;
-  for (const KeyFrame* frame : window) {
-    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      const ObjectClass object_class = frame->seg.segments[s].object_class;
-      Track& track = tracks[frame->instances[s].id];
-      ++track.members;
-      if (!judgeVotes(frame->evidence->votes[s], object_class, config).dynamic) continue;
-      track.proofs.push_back(proofOf(*frame, s));
-    }
-  }
-  return tracks;
-}
-
 /// True when hardly any member of the track moved, of many. A car that came and stopped is seen
 /// through from before it came for seconds, and so are many of its members.
-bool isOutvoted(const Track& track, const std::vector<Proof>& past) {
-  const std::size_t dynamic = track.proofs.size() + past.size();
-  const std::size_t members = track.members + past.size();
+bool isOutvoted(std::size_t present_members,
+                const std::vector<Proof>& present,
+                const std::vector<Proof>& past) {
+  const std::size_t dynamic = present.size() + past.size();
+  const std::size_t members = present_members + past.size();
   return members >= kManyMembers &&
          static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
@@ -167,14 +148,39 @@ std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) co
                            [](const Proof& proof, std::size_t scan) { return proof.scan < scan; })};
 }
 
+bool TrackBook::isDynamic(const KeyFrame& frame, std::size_t segment) {
+  const std::vector<PairVote>& votes = frame.evidence->votes[segment];
+  std::vector<Judgement>& judged = judged_[frame.index];
+  judged.resize(frame.evidence->votes.size());
+  Judgement& last = judged[segment];
+  if (last.votes != votes.size()) {
+    const ObjectClass object_class = frame.seg.segments[segment].object_class;
+    last = {votes.size(), judgeVotes(votes, object_class, config_).dynamic};
+  }
+  return last.dynamic;
+}
+
+std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksIn(const Window& window) {
+  judged_.erase(judged_.begin(), judged_.lower_bound(window.front()->index));
+  std::map<std::uint32_t, Track> tracks;
+  for (const KeyFrame* frame : window) {
+    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
+      Track& track = tracks[frame->instances[s].id];
+      ++track.members;
+      if (isDynamic(*frame, s)) track.proofs.push_back(proofOf(*frame, s));
+    }
+  }
+  return tracks;
+}
+
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
-  const Tracks tracks = tracksIn(window, config_);
+  const std::map<std::uint32_t, Track> tracks = tracksIn(window);
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
     const Track& track = tracks.at(instance.id);
     const std::vector<Proof> past = pastOf(instance.id, *window.front());
-    if (instance.dynamic && isOutvoted(track, past)) {
+    if (instance.dynamic && isOutvoted(track.members, track.proofs, past)) {
       instance.dynamic = false;
       instance.reason = Reason::kRestored;
     } else if (!instance.dynamic && moves(frame, s, past, track.proofs)) {

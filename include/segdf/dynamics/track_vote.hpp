@@ -41,6 +41,19 @@ class TrackBook {
   void note(const KeyFrame& frame);
 
  private:
+  /// What the window holds of one id.
+  struct Track {
+    std::size_t members = 0;
+    std::vector<Proof> proofs;  ///< members that the votes make dynamic so far
+  };
+  /// What so many votes make of an instance.
+  struct Judgement {
+    std::size_t votes = ~std::size_t{0};  ///< nobody has so many: not judged yet
+    bool dynamic = false;
+  };
+
+  std::map<std::uint32_t, Track> tracksIn(const Window& window);
+  bool isDynamic(const KeyFrame& frame, std::size_t segment);
   /// Proofs of scans before the window's first.
   std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;
   bool moves(const KeyFrame& frame,
@@ -50,6 +63,8 @@ class TrackBook {
 
   DynamicConfig config_;
   Proofs past_;  ///< of tracks that the last frame had
+  /// By the frame's number, for each segment: votes only ever come on top of others.
+  std::map<std::size_t, std::vector<Judgement>> judged_;
 };
 
 }  // namespace segdf
