@@ -41,7 +41,7 @@ VisibilityImage::VisibilityImage(const std::vector<Point>& points,
       std::min(static_cast<int>(std::ceil(margin_ / kNearestPlace / column_step_)), columns_ - 1);
   stride_ = columns_ + 2 * pad_;
   fill(points, roles);
-  prepareMinima();
+  prepareLevels();
 }
 
 VisibilityImage::Window VisibilityImage::windowOf(int columns) const {
@@ -84,23 +84,30 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   }
 }
 
-void VisibilityImage::prepareMinima() {
-  for (int level = 0; level < kLevels; ++level) {
-    minima_[static_cast<std::size_t>(level)] = minima(windowOf(level + 1));
+void VisibilityImage::prepareLevels() {
+  const auto lesser = [](Centimetres a, Centimetres b) { return std::min(a, b); };
+  const auto greater = [](Centimetres a, Centimetres b) { return std::max(a, b); };
+  int columns = 0;
+  for (Level& level : levels_) {
+    level.window = windowOf(++columns);
+    level.nearest = around(nearest_, level.window, lesser);
+    level.farthest = around(farthest_, level.window, greater);
   }
 }
 
-/// Minimum over the window around each bin: first along the rows, then across them.
-std::vector<VisibilityImage::Centimetres> VisibilityImage::minima(const Window& window) const {
-  std::vector<Centimetres> along(nearest_.size(), kEmpty);
+/// What `choose` makes of the window around each bin: first along the rows, then across them.
+template <class Choose>
+std::vector<VisibilityImage::Centimetres> VisibilityImage::around(
+    const std::vector<Centimetres>& image, const Window& window, const Choose& choose) const {
+  std::vector<Centimetres> along = image;
   const auto stride = static_cast<std::size_t>(stride_);
   const auto reach = static_cast<std::size_t>(std::min(window.columns, pad_));
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {
-    const Centimetres* in = nearest_.data() + row * stride;
+    const Centimetres* in = image.data() + row * stride;
     Centimetres* out = along.data() + row * stride;
     for (std::size_t shift = 0; shift <= 2 * reach; ++shift) {
       for (std::size_t c = reach; c + reach < stride; ++c) {
-        out[c] = std::min(out[c], in[c + shift - reach]);
+        out[c] = choose(out[c], in[c + shift - reach]);
       }
     }
   }
@@ -109,7 +116,7 @@ std::vector<VisibilityImage::Centimetres> VisibilityImage::minima(const Window& 
     Centimetres* out = result.data() + static_cast<std::size_t>(row) * stride;
     for (int r = std::max(0, row - window.rows); r <= std::min(rows_ - 1, row + window.rows); ++r) {
       const Centimetres* in = along.data() + static_cast<std::size_t>(r) * stride;
-      for (std::size_t c = 0; c < stride; ++c) out[c] = std::min(out[c], in[c]);
+      for (std::size_t c = 0; c < stride; ++c) out[c] = choose(out[c], in[c]);
     }
   }
   return result;
@@ -166,14 +173,14 @@ VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) cons
   const auto within = [near, far](Centimetres value) { return value >= near && value <= far; };
   if (within(nearest_[own]) || within(farthest_[own])) return VolumetricState::kHit;
   const int columns = std::max(1, static_cast<int>(std::ceil(block.margin[k])));
-  if (columns <= kLevels) {
-    // Nearly all answers are found here: nothing around begins before the place, or nothing is
-    // around.
-    const Centimetres least = minima_[static_cast<std::size_t>(columns - 1)][own];
-    if (least == kEmpty) return VolumetricState::kUnknown;
-    if (least > far && nearest_[own] != kEmpty) return VolumetricState::kFree;
-  }
-  return search(bin, windowOf(columns), near, far);
+  if (columns > kLevels) return search(bin, windowOf(columns), near, far);
+  // Most answers are found here: nothing is around, or all of it begins behind the place, or all of
+  // it ends before.
+  const Level& level = levels_[static_cast<std::size_t>(columns - 1)];
+  if (level.nearest[own] == kEmpty) return VolumetricState::kUnknown;
+  if (level.nearest[own] > far && nearest_[own] != kEmpty) return VolumetricState::kFree;
+  if (level.farthest[own] < near) return VolumetricState::kOccluded;
+  return search(bin, level.window, near, far);
 }
 
 VolumetricState VisibilityImage::search(const Bin& bin,

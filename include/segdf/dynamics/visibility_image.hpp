@@ -44,7 +44,7 @@ class VisibilityImage {
 
  private:
   using Centimetres = std::int16_t;
-  /// Margins of up to this many columns have their minima prepared.
+  /// Margins of up to this many columns are prepared.
   static constexpr int kLevels = 4;
 
   /// Places that are worked on together.
@@ -66,13 +66,23 @@ class VisibilityImage {
     int columns = 0;  ///< half, in bins
   };
 
+  /// The nearest and the farthest return in the window around each bin.
+  struct Level {
+    Window window;
+    std::vector<Centimetres> nearest;
+    std::vector<Centimetres> farthest;
+  };
+
   Block project(const Eigen::Ref<const Eigen::MatrixX3f>& places,
                 const Eigen::Isometry3f& image_T_places) const;
   VolumetricState stateOf(const Block& block, std::size_t k) const;
   Window windowOf(int columns) const;
   void fill(const std::vector<Point>& points, const std::vector<PointRole>& roles);
-  void prepareMinima();
-  std::vector<Centimetres> minima(const Window& window) const;
+  void prepareLevels();
+  template <class Choose>
+  std::vector<Centimetres> around(const std::vector<Centimetres>& image,
+                                  const Window& window,
+                                  const Choose& choose) const;
   VolumetricState search(const Bin& bin, const Window& window, int near, int far) const;
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride_) +
@@ -91,7 +101,7 @@ class VisibilityImage {
   int stride_ = 0;
   std::vector<Centimetres> nearest_;
   std::vector<Centimetres> farthest_;
-  std::array<std::vector<Centimetres>, kLevels> minima_;
+  std::array<Level, kLevels> levels_;
 };
 
 }  // namespace segdf
