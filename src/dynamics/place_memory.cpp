@@ -16,7 +16,8 @@ namespace segdf {
 
 namespace {
 
-constexpr std::size_t kStands = 4096;    // remembered at most
+constexpr std::size_t kStands = 2048;    // remembered at most
+constexpr std::size_t kEnough = 1000;    // points, to register a view by
 constexpr std::size_t kMinPoints = 20;   // of an instance, and of its places
 constexpr std::size_t kMaxPlaces = 128;  // of one instance: more tell nothing new
 constexpr float kOverGround = 0.4F;      // metres: the ground is found again where a car has left
@@ -110,25 +111,27 @@ void PlaceMemory::remember(const KeyFrame& frame,
   Stand* stand = standOf(frame, segment, center);
   const bool better = stand == nullptr || static_cast<double>(seen.points.size()) >=
                                               kMuchBetter * static_cast<double>(stand->points);
-  if (better) {
-    Eigen::MatrixX3f places = placesOf(frame, seen);
-    if (static_cast<std::size_t>(places.rows()) >= kMinPoints) {
-      if (!view) {
-        view = std::make_shared<const View>(
-            View{frame.evidence->time, frame.scan.pose, frame.evidence->registration_points});
-      }
-      if (stand == nullptr) {
-        stands_.emplace_back();
-        stand = &stands_.back();
-      }
-      stand->center = center;
-      stand->size = seen.box.size;
-      stand->points = seen.points.size();
-      stand->view = view;
-      stand->places = std::move(places);
-    }
+  Eigen::MatrixX3f places = better ? placesOf(frame, seen) : Eigen::MatrixX3f();
+  if (static_cast<std::size_t>(places.rows()) >= kMinPoints) {
+    if (!view) view = std::make_shared<const View>(viewOf(frame));
+    if (stand == nullptr) stand = &stands_.emplace_back();
+    stand->center = center;
+    stand->size = seen.box.size;
+    stand->points = seen.points.size();
+    stand->view = view;
+    stand->places = std::move(places);
   }
   if (stand != nullptr) extend(stand->runs, frame, segment, center);
+}
+
+PlaceMemory::View PlaceMemory::viewOf(const KeyFrame& frame) {
+  View view{frame.evidence->time, frame.scan.pose, {}};
+  const std::vector<Eigen::Vector3f>& points = frame.evidence->registration_points;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kEnough);
+  for (std::size_t k = 0; k < points.size(); k += stride) {
+    view.registration_points.push_back(points[k]);
+  }
+  return view;
 }
 
 void PlaceMemory::look(const KeyFrame& newest) {
@@ -150,6 +153,14 @@ void PlaceMemory::look(const KeyFrame& newest) {
 std::vector<PlaceMemory::Answer> PlaceMemory::askAround(const KeyFrame& newest) {
   const double now = newest.evidence->time;
   std::map<const View*, PairPose> poses;  // for look-up only
+  const auto poseOf = [&](const View& view) {
+    const auto [place, fresh] = poses.try_emplace(&view);
+    if (fresh) {
+      place->second = refinePair(newest.scan.pose.inverse() * view.pose, view.registration_points,
+                                 newest.evidence->planes);
+    }
+    return place->second;
+  };
   std::vector<Answer> answers;
   for (std::size_t k = 0; k < stands_.size(); ++k) {
     Stand& stand = stands_[k];
@@ -158,17 +169,10 @@ std::vector<PlaceMemory::Answer> PlaceMemory::askAround(const KeyFrame& newest) 
       answers.push_back({k, stand.free_looks > 0, false});
       continue;
     }
-    const View& view = *stand.view;
-    auto pose = poses.find(&view);
-    if (pose == poses.end()) {
-      const Pose given = newest.scan.pose.inverse() * view.pose;
-      pose =
-          poses.emplace(&view, refinePair(given, view.registration_points, newest.evidence->planes))
-              .first;
-    }
     stand.next_look = now + kLookStep;
-    if (pose->second.quality < kQuality) continue;
-    const VolumetricState state = stateOf(stand, newest, pose->second.to_T_from);
+    const PairPose pose = poseOf(*stand.view);
+    if (pose.quality < kQuality) continue;
+    const VolumetricState state = stateOf(stand, newest, pose.to_T_from);
     if (state == VolumetricState::kUnknown) continue;
     if (state == VolumetricState::kHit) stand.next_look = now + kFoundStep;
     answers.push_back({k, state == VolumetricState::kFree, true});

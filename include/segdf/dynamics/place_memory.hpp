@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -65,6 +64,7 @@ class PlaceMemory {
   };
 
   Stand* standOf(const KeyFrame& frame, std::size_t segment, const Eigen::Vector3d& center);
+  static View viewOf(const KeyFrame& frame);
   void remember(const KeyFrame& frame, std::size_t segment, std::shared_ptr<const View>& view);
   /// Answers of the places around, those that were asked a short while ago included.
   std::vector<Answer> askAround(const KeyFrame& newest);
