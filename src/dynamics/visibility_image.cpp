@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "segdf/segmentation/arc_tangent.hpp"
@@ -19,6 +20,23 @@ constexpr float kFarthestPlace = 75.0F;
 constexpr std::int16_t kEmpty = std::numeric_limits<std::int16_t>::max();
 constexpr float kFarthestRange = 320.0F;  // metres; fits in 16 bits as centimetres
 constexpr int kEnoughBins = 3;            // that are not empty, for FREE beside an empty own bin
+
+// Bins that are looked at together: as many as fit the registers of every processor.
+constexpr std::size_t kLanes = 8;
+using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
+constexpr Lanes kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+
+Lanes load(const std::int16_t* bins) {
+  Lanes lanes;
+  std::memcpy(&lanes, bins, sizeof(lanes));
+  return lanes;
+}
+
+int sumOf(const Lanes& lanes) {
+  int sum = 0;
+  for (std::size_t k = 0; k < kLanes; ++k) sum += lanes[k];
+  return sum;
+}
 
 float horizontal(const Eigen::Vector3f& x) { return std::sqrt(x.x() * x.x() + x.y() * x.y()); }
 
@@ -61,7 +79,8 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   }
   if (highest < lowest_) return;
   rows_ = static_cast<int>((highest - lowest_) / row_step_) + 1;
-  nearest_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(stride_), kEmpty);
+  // The last bins are loaded together with what comes after them.
+  nearest_.assign(index(rows_, 0) + kLanes, kEmpty);
   farthest_.assign(nearest_.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
@@ -187,21 +206,28 @@ VolumetricState VisibilityImage::search(const Bin& bin,
                                         const Window& window,
                                         int near,
                                         int far) const {
-  int seen = 0;
-  int behind = 0;
-  int before = 0;
+  const std::size_t width = 2 * static_cast<std::size_t>(window.columns) + 1;
+  const auto first = static_cast<std::int16_t>(near);
+  const auto last = static_cast<std::int16_t>(far);
+  Lanes seen{};
+  Lanes behind{};
+  Lanes before{};
   const auto hits = [&](int row) {
-    const std::size_t first = index(row, bin.column - window.columns);
-    for (std::size_t at = first; at <= first + 2 * static_cast<std::size_t>(window.columns); ++at) {
-      const int nearest = nearest_[at];
-      const int farthest = farthest_[at];
-      if (nearest == kEmpty) continue;
-      if ((nearest >= near && nearest <= far) || (farthest >= near && farthest <= far)) return true;
-      ++seen;
-      behind += nearest > far ? 1 : 0;
-      before += nearest < near ? 1 : 0;
+    const std::size_t corner = index(row, bin.column - window.columns);
+    Lanes hit{};
+    for (std::size_t k = 0; k < width; k += kLanes) {
+      const Lanes nearest = load(nearest_.data() + corner + k);
+      const Lanes farthest = load(farthest_.data() + corner + k);
+      const Lanes filled =
+          (kLaneNumbers < static_cast<std::int16_t>(width - k)) & (nearest != kEmpty);
+      hit |= filled & (((nearest >= first) & (nearest <= last)) |
+                       ((farthest >= first) & (farthest <= last)));
+      // A comparison that holds is -1.
+      seen -= filled;
+      behind -= filled & (nearest > last);
+      before -= filled & (nearest < first);
     }
-    return false;
+    return sumOf(hit) != 0;
   };
   // From the middle outwards: what is found again is mostly found close by.
   if (hits(bin.row)) return VolumetricState::kHit;
@@ -209,9 +235,12 @@ VolumetricState VisibilityImage::search(const Bin& bin,
     if (bin.row - away >= 0 && hits(bin.row - away)) return VolumetricState::kHit;
     if (bin.row + away < rows_ && hits(bin.row + away)) return VolumetricState::kHit;
   }
+  const int bins = sumOf(seen);
   const bool own = nearest_[index(bin.row, bin.column)] != kEmpty;
-  if (seen > 0 && behind == seen && (own || seen >= kEnoughBins)) return VolumetricState::kFree;
-  if (seen > 0 && 2 * before >= seen) return VolumetricState::kOccluded;
+  if (bins > 0 && sumOf(behind) == bins && (own || bins >= kEnoughBins)) {
+    return VolumetricState::kFree;
+  }
+  if (bins > 0 && 2 * sumOf(before) >= bins) return VolumetricState::kOccluded;
   return VolumetricState::kUnknown;
 }
 
