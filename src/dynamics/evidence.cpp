@@ -2,6 +2,7 @@
 #include "segdf/dynamics/evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "segdf/classification/classifier.hpp"
@@ -14,23 +15,11 @@ namespace {
 constexpr std::size_t kLarge = 300;  // points
 constexpr double kJitter = 0.05;     // seconds
 
-// Of the places of a segment every so many-th is looked for first.
+// Places side by side of which every kStride-th is looked at first: a part that moved has several
+// of these from df.split_min on.
+constexpr std::uint32_t kBlock = 64;
 constexpr std::uint32_t kStride = 4;
-constexpr std::uint32_t kWideStride = 8;
-constexpr std::uint32_t kMany = 24;       // places, from which on there is a sample
-constexpr std::uint32_t kVeryMany = 512;  // from which on the stride is wide
-constexpr std::ptrdiff_t kFewFree = 33;   // 1 in so many places of the sample
-
-std::uint32_t strideOf(std::uint32_t count) {
-  if (count < kMany) return 1;
-  return count < kVeryMany ? kStride : kWideStride;
-}
-
-/// How many of a segment's places stand for the others, in a first look.
-std::uint32_t sampleOf(std::uint32_t count) {
-  const std::uint32_t stride = strideOf(count);
-  return (count + stride - 1) / stride;
-}
+constexpr std::uint32_t kEnoughPlaces = 32;  // of a segment, for some to speak for all
 
 void increment(std::uint8_t& counter) {
   if (counter < std::numeric_limits<std::uint8_t>::max()) ++counter;
@@ -55,65 +44,82 @@ std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
   return order;
 }
 
-/// A place, and the points that it stands for: [begin, end) of the voxels' points.
-struct Place {
-  std::uint32_t point = 0;
-  std::uint32_t begin = 0;
-  std::uint32_t end = 0;
-};
+/// Adds one voxel: as one place, or as one for each of its points. @param places the points that
+/// stand for places
+void addVoxel(const CurvedVoxels& voxels,
+              std::uint32_t v,
+              bool whole,
+              std::vector<std::uint32_t>& places,
+              FrameEvidence& evidence) {
+  const auto place = [&](std::uint32_t point) {
+    places.push_back(point);
+    evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
+  };
+  if (whole) place(voxels.points[(voxels.begin[v] + voxels.begin[v + 1]) / 2]);
+  for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+    if (!whole) place(voxels.points[k]);
+    evidence.listed.push_back(voxels.points[k]);
+  }
+}
 
-/// Adds one voxel: as one place, or as one for each of its points.
-void addVoxel(const CurvedVoxels& voxels, std::uint32_t v, bool whole, std::vector<Place>& places) {
-  const std::uint32_t begin = voxels.begin[v];
-  const std::uint32_t end = voxels.begin[v + 1];
-  if (whole) {
-    places.push_back({voxels.points[(begin + end) / 2], begin, end});
+using Places = Eigen::Ref<const Eigen::MatrixX3f>;
+
+/// States of up to kBlock places of a segment. Every kStride-th is looked at, and all of them only
+/// when one of these is seen through; else they are what the one before them is. Most of a scan
+/// stands.
+void lookAtBlock(const VisibilityImage& image,
+                 const Places& places,
+                 const Eigen::Isometry3f& image_T_places,
+                 VolumetricState* states) {
+  constexpr Eigen::Index kMost = kBlock / kStride;
+  const Eigen::Index count = (places.rows() + kStride - 1) / kStride;
+  Eigen::Matrix<float, Eigen::Dynamic, 3, 0, kMost, 3> sample(count, 3);
+  for (Eigen::Index k = 0; k < count; ++k) sample.row(k) = places.row(k * kStride);
+  std::array<VolumetricState, kMost> seen{};
+  image.look(sample, image_T_places, seen.data());
+  if (std::find(seen.begin(), seen.end(), VolumetricState::kFree) != seen.end()) {
+    image.look(places, image_T_places, states);
     return;
   }
-  for (std::uint32_t k = begin; k < end; ++k) places.push_back({voxels.points[k], k, k + 1});
+  for (Eigen::Index k = 0; k < places.rows(); ++k) {
+    states[k] = seen[static_cast<std::size_t>(k / kStride)];
+  }
 }
 
-/// The sample of a segment's places first, then the others, in their order.
-std::vector<Place> sampleFirst(const std::vector<Place>& places) {
-  const auto count = static_cast<std::uint32_t>(places.size());
-  if (sampleOf(count) == count) return places;
-  std::vector<Place> ordered;
-  ordered.reserve(count);
-  const std::uint32_t stride = strideOf(count);
-  for (std::uint32_t k = 0; k < count; k += stride) ordered.push_back(places[k]);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    if (k % stride != 0) ordered.push_back(places[k]);
+/// States of all places of a segment.
+void lookAtSegment(const VisibilityImage& image,
+                   const Places& places,
+                   const Eigen::Isometry3f& image_T_places,
+                   VolumetricState* states) {
+  if (places.rows() < kEnoughPlaces) {
+    image.look(places, image_T_places, states);
+    return;
   }
-  return ordered;
+  for (Eigen::Index k = 0; k < places.rows(); k += kBlock) {
+    const Eigen::Index count = std::min<Eigen::Index>(kBlock, places.rows() - k);
+    lookAtBlock(image, places.middleRows(k, count), image_T_places, states + k);
+  }
 }
 
-/// States of a segment's places in the image of another key frame. Most of what stands is settled
-/// by a look at a quarter of it: where the sample sees through hardly any, only the places beside
-/// these are looked for, too, and the others are taken for what the sample is.
-std::vector<VolumetricState> lookFor(const Eigen::Ref<const Eigen::MatrixX3f>& places,
-                                     std::uint32_t sample,
-                                     const VisibilityImage& image,
-                                     const Eigen::Isometry3f& image_T_places) {
-  const auto count = static_cast<std::uint32_t>(places.rows());
-  std::vector<VolumetricState> states(count);
-  image.look(places.topRows(sample), image_T_places, states.data());
-  if (sample == count) return states;
-  const auto free = std::count(states.begin(), states.begin() + sample, VolumetricState::kFree);
-  if (kFewFree * free > sample) {
-    image.look(places.bottomRows(count - sample), image_T_places, states.data() + sample);
-    return states;
-  }
-  const std::uint32_t beside = strideOf(count) - 1;
-  for (std::uint32_t k = 0; k < sample; ++k) {
-    const std::uint32_t begin = std::min(count, sample + beside * k);
-    const std::uint32_t end = std::min(count, begin + beside);
+/// Notes the states of the places from `begin` on. @return their points seen through and found
+/// again
+PairVote note(FrameEvidence& evidence,
+              std::uint32_t begin,
+              const std::vector<VolumetricState>& states,
+              bool late) {
+  PairVote vote;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const std::size_t place = begin + k;
+    const std::uint32_t points = evidence.first[place + 1] - evidence.first[place];
     if (states[k] == VolumetricState::kFree) {
-      image.look(places.middleRows(begin, end - begin), image_T_places, states.data() + begin);
-    } else {
-      std::fill(states.begin() + begin, states.begin() + end, states[k]);
+      increment(evidence.answers[place].free);
+      vote.free += points;
+    } else if (states[k] == VolumetricState::kHit) {
+      if (late) increment(evidence.answers[place].hit);
+      vote.hit += points;
     }
   }
-  return states;
+  return vote;
 }
 
 Eigen::MatrixX3f positionsOf(const std::vector<std::uint32_t>& points, const Scan& scan) {
@@ -150,29 +156,20 @@ void listPlaces(KeyFrame& frame) {
   FrameEvidence& evidence = *frame.evidence;
   std::vector<std::uint32_t> begin;
   const std::vector<std::uint32_t> order = voxelsBySegment(frame, begin);
-  std::vector<std::uint32_t> points;
-  std::vector<Place> places;
+  std::vector<std::uint32_t> places;
   for (std::size_t group = 0; group + 1 < begin.size(); ++group) {
-    evidence.begin.push_back(static_cast<std::uint32_t>(points.size()));
+    evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
     const bool segment = group < frame.seg.segments.size();
     const bool whole = segment && frame.seg.segments[group].points.size() > kLarge &&
                        !isTested(frame.seg.segments[group].object_class);
-    places.clear();
     for (std::uint32_t k = begin[group]; k < begin[group + 1]; ++k) {
-      addVoxel(frame.seg.voxels, order[k], whole, places);
-    }
-    for (const Place& place : segment ? sampleFirst(places) : places) {
-      points.push_back(place.point);
-      evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
-      const std::vector<std::uint32_t>& all = frame.seg.voxels.points;
-      evidence.listed.insert(evidence.listed.end(), all.begin() + place.begin,
-                             all.begin() + place.end);
+      addVoxel(frame.seg.voxels, order[k], whole, places, evidence);
     }
   }
-  evidence.begin.push_back(static_cast<std::uint32_t>(points.size()));
+  evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
   evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
-  evidence.places = positionsOf(points, frame.scan);
-  evidence.answers.resize(points.size());
+  evidence.places = positionsOf(places, frame.scan);
+  evidence.answers.resize(places.size());
   evidence.votes.resize(frame.seg.segments.size());
 }
 
@@ -202,36 +199,29 @@ void gatherEvidence(KeyFrame& frame,
                     const DynamicConfig& config,
                     int threads) {
   FrameEvidence& evidence = *frame.evidence;
+  const VisibilityImage& image = other.evidence->image;
   const Eigen::Isometry3f image_T_frame = other_T_frame.cast<float>();
   const double seconds = other.evidence->time - evidence.time;
   const bool late = isFarInTime(seconds, config);
+  const std::size_t loose = evidence.votes.size();
   const auto look = [&](std::size_t group) {
-    PairVote vote;
+    const std::uint32_t begin = evidence.begin[group];
+    const std::uint32_t count = evidence.begin[group + 1] - begin;
+    std::vector<VolumetricState> states(count);
+    const Places places = evidence.places.middleRows(begin, count);
+    // Places in no segment have nothing to do with each other.
+    if (group == loose) {
+      image.look(places, image_T_frame, states.data());
+    } else {
+      lookAtSegment(image, places, image_T_frame, states.data());
+    }
+    return note(evidence, begin, states, late);
+  };
+  parallelFor(loose + 1, threads, [&](std::size_t group) {
+    PairVote vote = look(group);
+    if (group == loose || vote.free + vote.hit == 0) return;
     vote.scan = other.index;
     vote.seconds = static_cast<float>(seconds);
-    const std::uint32_t begin = evidence.begin[group];
-    const std::uint32_t end = evidence.begin[group + 1];
-    const std::uint32_t sample =
-        group == evidence.votes.size() ? end - begin : sampleOf(end - begin);
-    const std::vector<VolumetricState> states =
-        lookFor(evidence.places.middleRows(begin, end - begin), sample, other.evidence->image,
-                image_T_frame);
-    for (std::uint32_t k = begin; k < end; ++k) {
-      const VolumetricState state = states[k - begin];
-      const std::uint32_t points = evidence.first[k + 1] - evidence.first[k];
-      if (state == VolumetricState::kFree) {
-        increment(evidence.answers[k].free);
-        vote.free += points;
-      } else if (state == VolumetricState::kHit) {
-        if (late) increment(evidence.answers[k].hit);
-        vote.hit += points;
-      }
-    }
-    return vote;
-  };
-  parallelFor(evidence.begin.size() - 1, threads, [&](std::size_t group) {
-    PairVote vote = look(group);
-    if (group == evidence.votes.size() || vote.free + vote.hit == 0) return;
     const auto points = static_cast<double>(frame.seg.segments[group].points.size());
     const double least = std::max<double>(config.vis_min, config.vis_frac * points);
     vote.informative = static_cast<double>(vote.free + vote.hit) >= least;

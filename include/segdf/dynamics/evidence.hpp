@@ -76,8 +76,9 @@ PointsBySegment placePoints(const KeyFrame& frame);
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame);
 
 /// Looks for the places of `frame` in the image of `other` and notes the answers in
-/// frame.evidence. Of segments with 32 places and more every fourth is looked at, and only where one
-/// of these is seen through the others around it, too; else they have the answer of the one before.
+/// frame.evidence. Of segments with 32 places and more every fourth is looked at, and only where
+/// one of these is seen through the others around it, too; else they have the answer of the one
+/// before.
 /// @param other_T_frame relative pose of the pair
 void gatherEvidence(KeyFrame& frame,
                     const KeyFrame& other,
