@@ -153,7 +153,7 @@ void PlaceMemory::look(const KeyFrame& newest) {
 std::vector<PlaceMemory::Answer> PlaceMemory::askAround(const KeyFrame& newest) {
   const double now = newest.evidence->time;
   std::map<const View*, PairPose> poses;  // for look-up only
-  const auto poseOf = [&](const View& view) {
+  const auto pose_of = [&](const View& view) {
     const auto [place, fresh] = poses.try_emplace(&view);
     if (fresh) {
       place->second = refinePair(newest.scan.pose.inverse() * view.pose, view.registration_points,
@@ -170,7 +170,7 @@ std::vector<PlaceMemory::Answer> PlaceMemory::askAround(const KeyFrame& newest) 
       continue;
     }
     stand.next_look = now + kLookStep;
-    const PairPose pose = poseOf(*stand.view);
+    const PairPose pose = pose_of(*stand.view);
     if (pose.quality < kQuality) continue;
     const VolumetricState state = stateOf(stand, newest, pose.to_T_from);
     if (state == VolumetricState::kUnknown) continue;

@@ -72,7 +72,7 @@ void StaticMapFile::finish(PcdStream& dynamic_points) {
 void StaticMapFile::dropRevoked(PcdStream& dynamic_points) const {
   std::unordered_multimap<std::uint32_t, const Revocation*> by_id;
   for (const Revocation& revocation : revocations_) by_id.emplace(revocation.id, &revocation);
-  const auto isRevoked = [&by_id](std::uint32_t id, std::size_t scan) {
+  const auto is_revoked = [&by_id](std::uint32_t id, std::size_t scan) {
     const auto [first, last] = by_id.equal_range(id);
     return std::any_of(first, last, [scan](const auto& entry) {
       return scan >= entry.second->first && scan <= entry.second->last;
@@ -86,7 +86,7 @@ void StaticMapFile::dropRevoked(PcdStream& dynamic_points) const {
   forEachPoint(file_, [&](const MapPoint& point) {
     while (std::next(frame) != frames_.end() && std::next(frame)->first <= number) ++frame;
     ++number;
-    if (isRevoked(point.instance, frame->scan)) {
+    if (is_revoked(point.instance, frame->scan)) {
       removed.add(asDynamic(point));
     } else {
       kept.add(point);

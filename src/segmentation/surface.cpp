@@ -60,13 +60,13 @@ Band::Band(const std::vector<Point>& points, const RangeImage& image, int first_
       combs{Comb((static_cast<std::size_t>(rows) + 2 * kHalfRows) * stride),
             Comb((static_cast<std::size_t>(rows) + 2 * kHalfRows) * stride)} {
   const int rim = static_cast<int>(kHalfColumns);
+  const std::size_t places = static_cast<std::size_t>(image.columns()) + 2 * kHalfColumns;
   std::size_t line = 0;
   for (int row = first_row - static_cast<int>(kHalfRows); line < combs[0].x.size();
        ++row, line += stride) {
-    for (int column = -rim; column < image.columns() + rim; ++column) {
-      const std::int32_t i = image.at(row, column);
+    for (std::size_t place = 0; place < places; ++place) {
+      const std::int32_t i = image.at(row, static_cast<int>(place) - rim);
       if (i == RangeImage::kNone) continue;
-      const auto place = static_cast<std::size_t>(column + rim);
       Comb& comb = combs[place % 2];
       const std::size_t cell = line + place / 2;
       const Point& p = points[static_cast<std::size_t>(i)];
