@@ -52,16 +52,21 @@ DriveWriter::DriveWriter(const std::filesystem::path& folder, const Config& conf
   std::filesystem::create_directory(folder_.staging() / "labels");
 }
 
-/// The labels of the scans in which it stood are on disk already.
+/// The labels of the scans in which it stood are on disk already. What they hold is what counts:
+/// between two scans in which it was seen to stand there may be some in which it was not.
 void DriveWriter::revoke(const Revocation& revocation) {
-  report_.revoke(revocation);
-  instances_.revoke(revocation);
-  static_points_.revoke(revocation);
+  Revocation found = revocation;
+  found.points = 0;
   for (std::size_t scan = revocation.first; scan <= revocation.last; ++scan) {
     const std::filesystem::path file = labelsOf(scan);
     std::vector<std::uint32_t> labels = readLabels(file);
-    if (semantic_kitti::revoke(labels, revocation.id) > 0) writeLabels(file, labels);
+    const std::size_t points = semantic_kitti::revoke(labels, revocation.id);
+    if (points > 0) writeLabels(file, labels);
+    found.points += points;
   }
+  report_.revoke(found);
+  instances_.revoke(found);
+  static_points_.revoke(found);
 }
 
 std::filesystem::path DriveWriter::labelsOf(std::size_t scan) const {

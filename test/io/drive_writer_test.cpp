@@ -47,7 +47,7 @@ std::string textOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Three frames; the third says that the car of the first two has left.
+/// Three frames; the third says that the car of the first two has left, and counts a point too few.
 class RevokingDrive : public ::testing::TestWithParam<double> {
  protected:
   RevokingDrive() {
@@ -57,7 +57,7 @@ class RevokingDrive : public ::testing::TestWithParam<double> {
     writer.add(frameAt(0));
     writer.add(frameAt(1));
     FrameResult last = frameAt(2);
-    last.revoked = {{kCar, 0, 1, 2, 2, ObjectClass::kHighMobility, Eigen::Vector3d::Zero()}};
+    last.revoked = {{kCar, 0, 1, 2, 1, ObjectClass::kHighMobility, Eigen::Vector3d::Zero()}};
     writer.add(last);
     writer.finish();
   }
@@ -109,7 +109,7 @@ TEST_P(RevokingDrive, TablesAndReportSaySo) {
   EXPECT_NE(instances.find("70005,0,unknown,3,3,2,"), std::string::npos) << instances;
   EXPECT_NE(instances.find(",dynamic,0,0,0,left\n"), std::string::npos) << instances;
   const std::string evidence = textOf(folder_ / "result" / "evidence.csv");
-  EXPECT_NE(evidence.find("1,70005,0,dynamic,left,high_mobility,2,"), std::string::npos)
+  EXPECT_NE(evidence.find("1,70005,0,dynamic,left,high_mobility,1,"), std::string::npos)
       << evidence;
   const std::string report = textOf(folder_ / "result" / "report.json");
   EXPECT_NE(report.find("\"static\": 4"), std::string::npos) << report;
