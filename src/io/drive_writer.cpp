@@ -32,15 +32,6 @@ std::vector<std::uint32_t> encodeAll(const std::vector<PointLabel>& labels) {
   return codes;
 }
 
-std::vector<MapPoint> dynamicPoints(const FrameResult& frame) {
-  std::vector<MapPoint> points;
-  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
-    if (frame.labels[i].state != PointState::kDynamic) continue;
-    points.push_back(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
-  }
-  return points;
-}
-
 }  // namespace
 
 DriveWriter::DriveWriter(const std::filesystem::path& folder, const Config& config)
@@ -79,7 +70,8 @@ void DriveWriter::add(const FrameResult& frame) {
   instances_.add(frame);
   evidence_.add(frame);
   writeLabels(labelsOf(frame.index), encodeAll(frame.labels));
-  dynamic_points_.add(dynamicPoints(frame));
+  dynamic_points_.add(
+      mapPointsWhere(frame, [](PointState state) { return state == PointState::kDynamic; }));
   static_points_.add(frame);
   if (frame.status == FrameStatus::kMapped) {
     trajectory_.emplace_back(frame.scan.pose.translation().head<2>());

@@ -48,12 +48,7 @@ StaticMapFile::StaticMapFile(std::filesystem::path file, double voxel)
 void StaticMapFile::add(const FrameResult& frame) {
   if (voxels_) return voxels_->add(frame);
   frames_.push_back({frame.index, stream_.size()});
-  std::vector<MapPoint> points;
-  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
-    if (!isKept(frame.labels[i].state)) continue;
-    points.push_back(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
-  }
-  stream_.add(points);
+  stream_.add(mapPointsWhere(frame, isKept));
 }
 
 void StaticMapFile::finish(PcdStream& dynamic_points) {
@@ -72,10 +67,10 @@ void StaticMapFile::finish(PcdStream& dynamic_points) {
 void StaticMapFile::dropRevoked(PcdStream& dynamic_points) const {
   std::unordered_multimap<std::uint32_t, const Revocation*> by_id;
   for (const Revocation& revocation : revocations_) by_id.emplace(revocation.id, &revocation);
-  const auto is_revoked = [&by_id](std::uint32_t id, std::size_t scan) {
-    const auto [first, last] = by_id.equal_range(id);
-    return std::any_of(first, last, [scan](const auto& entry) {
-      return scan >= entry.second->first && scan <= entry.second->last;
+  const auto is_revoked = [&by_id](const MapPoint& point, std::size_t scan) {
+    const auto [first, last] = by_id.equal_range(point.instance);
+    return std::any_of(first, last, [&point, scan](const auto& entry) {
+      return isRevoked(point, scan, *entry.second);
     });
   };
   PcdStream remaining(file_.string() + ".remaining");
@@ -86,7 +81,7 @@ void StaticMapFile::dropRevoked(PcdStream& dynamic_points) const {
   forEachPoint(file_, [&](const MapPoint& point) {
     while (std::next(frame) != frames_.end() && std::next(frame)->first <= number) ++frame;
     ++number;
-    if (is_revoked(point.instance, frame->scan)) {
+    if (is_revoked(point, frame->scan)) {
       removed.add(asDynamic(point));
     } else {
       kept.add(point);

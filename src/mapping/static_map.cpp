@@ -42,9 +42,7 @@ std::vector<MapPoint> StaticMap::revoke(const Revocation& revocation) {
   std::vector<MapPoint> revoked;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const bool stood = points_[k].instance == revocation.id && scans_[k] >= revocation.first &&
-                       scans_[k] <= revocation.last;
-    if (stood) {
+    if (isRevoked(points_[k], scans_[k], revocation)) {
       occupied_.erase(keyOf(points_[k]));
       revoked.push_back(points_[k]);
       continue;
