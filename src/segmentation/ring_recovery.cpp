@@ -2,115 +2,127 @@
 #include "segdf/segmentation/ring_recovery.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
-#include "segdf/segmentation/arc_tangent.hpp"
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace segdf {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMinRings = 4;
 constexpr std::size_t kMaxRings = 130;
 constexpr double kOneDirection = 0.9;
 constexpr double kLargestShare = 0.5;
 // Rings that begin where the first point lies do so within a fraction of a column.
-constexpr double kStartMargin = 1e-3;  // rad
+constexpr float kStartMargin = 1e-3F;  // rad
 
-/// Where the finite points lie, rad. Taken once: every cut looks at all of them.
+/// Where the finite points lie, seen from above, and how far up. No angles are needed: their order
+/// is enough.
 struct Directions {
-  std::vector<double> azimuth;
-  std::vector<double> elevation;
+  std::vector<Eigen::Vector2f> places;  ///< metres
+  std::vector<double> sines;            ///< of the elevations
+
+  std::size_t size() const { return places.size(); }
 };
 
 Directions directionsOf(const std::vector<Point>& points) {
   Directions directions;
-  directions.azimuth.reserve(points.size());
-  directions.elevation.reserve(points.size());
+  directions.places.reserve(points.size());
+  directions.sines.reserve(points.size());
   for (const Point& p : points) {
     if (!isFinite(p)) continue;
-    const auto x = static_cast<double>(p.x);
-    const auto y = static_cast<double>(p.y);
-    directions.azimuth.push_back(arcTangent2(y, x));
-    directions.elevation.push_back(arcTangent2(static_cast<double>(p.z), std::sqrt(x * x + y * y)));
+    const Eigen::Vector3d x = p.position().cast<double>();
+    const double range = x.norm();
+    directions.places.emplace_back(p.x, p.y);
+    directions.sines.push_back(range > 0.0 ? x.z() / range : 0.0);
   }
   return directions;
 }
 
+/// Positive when b lies less than half a turn counter-clockwise of a.
+float cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// +1 when the azimuth mostly rises from point to point, -1 when it falls.
-double sweepDirection(const std::vector<double>& azimuth) {
+float sweepDirection(const std::vector<Eigen::Vector2f>& places) {
   std::ptrdiff_t rising = 0;
-  for (std::size_t i = 1; i < azimuth.size(); ++i) {
-    const double turn = azimuth[i] - azimuth[i - 1];
-    // More than half a turn is the smaller one the other way round.
-    rising += (turn > 0.0) == (std::abs(turn) <= kPi) && turn != 0.0 ? 1 : -1;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    rising += cross(places[i - 1], places[i]) > 0.0F ? 1 : -1;
   }
-  return rising >= 0 ? 1.0 : -1.0;
+  return rising >= 0 ? 1.0F : -1.0F;
 }
 
 /// A way to cut the scan into rings, and how even they come out.
 struct Cut {
+  Eigen::Vector2f start;           ///< the ray at which they begin
   std::vector<std::size_t> begin;  ///< of each ring, among the finite points
-  std::vector<double> elevations;  ///< mean of each ring, rad
+  std::vector<double> elevations;  ///< mean sine of each ring
   std::size_t largest = 0;         ///< points in the largest ring
   double scatter = 0.0;            ///< squared deviations from it, summed
 };
 
-/// Cuts where the sweep, measured from the azimuth `start`, falls back by more than half a turn.
-Cut cutAt(const std::vector<double>& azimuth, double start, double direction) {
-  Cut cut;
-  if (!azimuth.empty()) cut.begin.push_back(0);
-  double previous = 0.0;
-  for (std::size_t i = 0; i < azimuth.size(); ++i) {
-    // Azimuths and starts are less than a turn and a half apart.
-    double swept = direction * (azimuth[i] - start);
-    swept += swept < 0.0 ? 2.0 * kPi : 0.0;
-    swept -= swept >= 2.0 * kPi ? 2.0 * kPi : 0.0;
-    if (swept < previous - kPi && cut.begin.size() <= kMaxRings + 1) cut.begin.push_back(i);
-    previous = swept;
-  }
-  return cut;
+/// Rings may begin at the axes, or where the first point lies.
+std::vector<Cut> possibleCuts(const std::vector<Eigen::Vector2f>& places, float direction) {
+  std::vector<Cut> cuts(5);
+  cuts[0].start = Eigen::Vector2f::UnitX();
+  cuts[1].start = Eigen::Vector2f::UnitY();
+  cuts[2].start = -Eigen::Vector2f::UnitX();
+  cuts[3].start = -Eigen::Vector2f::UnitY();
+  cuts[4].start = Eigen::Rotation2Df(-direction * kStartMargin) * places[0];
+  return cuts;
 }
 
-void measureElevations(const std::vector<double>& elevation, Cut& cut) {
-  for (std::size_t r = 0; r < cut.begin.size(); ++r) {
-    const std::size_t end = r + 1 < cut.begin.size() ? cut.begin[r + 1] : elevation.size();
-    double sum = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = cut.begin[r]; i < end; ++i) {
-      sum += elevation[i];
-      squares += elevation[i] * elevation[i];
+/// Cuts where the sweep goes on over the ray: the point before lies less than half a turn before
+/// it, the point less than half a turn behind it, and less than half a turn lies between them.
+void make(Cut& cut, const std::vector<Eigen::Vector2f>& places, float direction) {
+  const Eigen::Vector2f across(-direction * cut.start.y(), direction * cut.start.x());
+  cut.begin.push_back(0);
+  float before = 0.0F;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const float side = across.dot(places[i]);
+    if (before < 0.0F && side >= 0.0F) {
+      const bool goes_on = direction * cross(places[i - 1], places[i]) > 0.0F;
+      if (goes_on && cut.begin.size() <= kMaxRings + 1) cut.begin.push_back(i);
     }
-    const auto n = static_cast<double>(end - cut.begin[r]);
+    before = side;
+  }
+}
+
+void measureElevations(const std::vector<double>& sines, Cut& cut) {
+  for (std::size_t r = 0; r < cut.begin.size(); ++r) {
+    const std::size_t end = r + 1 < cut.begin.size() ? cut.begin[r + 1] : sines.size();
+    const auto size = static_cast<Eigen::Index>(end - cut.begin[r]);
+    const Eigen::Map<const Eigen::VectorXd> ring(sines.data() + cut.begin[r], size);
+    const double sum = ring.sum();
+    const auto n = static_cast<double>(size);
     cut.elevations.push_back(sum / n);
     cut.largest = std::max(cut.largest, end - cut.begin[r]);
-    cut.scatter += squares - sum * sum / n;
+    cut.scatter += ring.squaredNorm() - sum * sum / n;
   }
 }
 
 /// The cut with the fewest rings, since a wrong start cuts one ring more, and of these the most
 /// even one.
 Cut bestCut(const Directions& directions) {
-  const double direction = sweepDirection(directions.azimuth);
-  std::vector<double> starts{0.0, kPi / 2.0, kPi, -kPi / 2.0};
-  if (!directions.azimuth.empty()) {
-    starts.push_back(directions.azimuth.front() - direction * kStartMargin);
+  const float direction = sweepDirection(directions.places);
+  std::vector<Cut> cuts = possibleCuts(directions.places, direction);
+  std::size_t fewest = directions.size();
+  for (Cut& cut : cuts) {
+    make(cut, directions.places, direction);
+    fewest = std::min(fewest, cut.begin.size());
   }
-  Cut best;
-  bool any = false;
-  for (double start : starts) {
-    Cut cut = cutAt(directions.azimuth, start, direction);
-    if (any && cut.begin.size() > best.begin.size()) continue;
-    measureElevations(directions.elevation, cut);
-    if (any && cut.begin.size() == best.begin.size() && cut.scatter >= best.scatter) continue;
-    best = std::move(cut);
-    any = true;
+  Cut* best = nullptr;
+  for (Cut& cut : cuts) {
+    if (cut.begin.size() != fewest) continue;
+    measureElevations(directions.sines, cut);
+    if (best == nullptr || cut.scatter < best->scatter) best = &cut;
   }
-  return best;
+  return *best;
 }
 
 bool isPlausible(const std::vector<double>& elevations) {
@@ -127,7 +139,9 @@ bool isPlausible(const std::vector<double>& elevations) {
 }  // namespace
 
 bool recoverRings(std::vector<Point>& points) {
-  const Cut cut = bestCut(directionsOf(points));
+  const Directions directions = directionsOf(points);
+  if (directions.size() == 0) return false;
+  const Cut cut = bestCut(directions);
   if (static_cast<double>(cut.largest) > kLargestShare * static_cast<double>(points.size()))
     return false;
   if (!isPlausible(cut.elevations)) return false;
