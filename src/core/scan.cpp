@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/core/scan.hpp"
 
-#include <cmath>
-
 namespace segdf {
 
 namespace {
 constexpr double kOrthonormalTolerance = 1e-3;
 }  // namespace
-
-bool isFinite(const Point& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
 
 bool isValidPose(const Pose& pose) {
   if (!pose.matrix().allFinite()) return false;

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "segdf/segmentation/arc_tangent.hpp"
-
 namespace segdf {
 
 namespace {
@@ -48,12 +46,12 @@ double CurvedGrid::rangeCell(double rho) const {
   return std::floor((std::sqrt(b * b + 2.0 * growth_ * way) - b) / growth_);
 }
 
-std::optional<CurvedGrid::Key> CurvedGrid::keyOf(const Eigen::Vector3d& position) const {
+std::optional<CurvedGrid::Key> CurvedGrid::keyOf(const Eigen::Vector3d& position,
+                                                 double turn) const {
   const double horizontal = position.head<2>().squaredNorm();
   const double rho = std::sqrt(horizontal + position.z() * position.z());
   if (!(rho >= rho_min_) || !std::isfinite(rho) || rho <= 0.0) return std::nullopt;
   const double theta = arcTangent2(std::sqrt(horizontal), position.z());
-  const double turn = turnOf(position.y(), position.x());
   const auto i = static_cast<std::int64_t>(std::min(rangeCell(rho), kMaxRangeCell));
   const auto j = static_cast<std::int64_t>(theta / dtheta_);
   const auto k = std::min(static_cast<std::int64_t>(turn * azimuth_cells_),

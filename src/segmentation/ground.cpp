@@ -215,15 +215,17 @@ class FloatingPatches {
 
 Ground extractGround(const std::vector<Point>& points,
                      const std::vector<PointRole>& roles,
+                     const std::vector<double>& turns,
                      const GroundConfig& config,
                      const RangeImageConfig& lasers,
                      int threads) {
   Ground ground;
   ground.is_ground.assign(points.size(), 0);
-  ground.sensor_height = config.sensor_height > 0.0 ? config.sensor_height
-                                                    : estimateSensorHeight(points, roles, config);
+  ground.sensor_height = config.sensor_height > 0.0
+                             ? config.sensor_height
+                             : estimateSensorHeight(points, roles, turns, config);
   const ConcentricZones zones(config, lasers, ground.sensor_height);
-  PatchedPoints patches = sortIntoPatches(points, roles, zones, threads);
+  PatchedPoints patches = sortIntoPatches(points, roles, turns, zones, threads);
   const PatchFitter fitter(config, ground.sensor_height, zones.innerRings());
   const auto count = static_cast<std::size_t>(zones.patches());
   PatchGrounds grounds(count);

@@ -28,8 +28,8 @@ class HeightGrid {
   /// Cell of a point, size() outside the grid.
   std::size_t cellOf(const Point& p) const {
     const int half = side_ / 2;
-    const double ix = std::floor(static_cast<double>(p.x) / kCell) + half;
-    const double iy = std::floor(static_cast<double>(p.y) / kCell) + half;
+    const double ix = static_cast<double>(p.x) / kCell + half;
+    const double iy = static_cast<double>(p.y) / kCell + half;
     // Not finite is in no interval either.
     if (!(ix >= 0 && iy >= 0 && ix < side_ && iy < side_)) return size();
     return index(static_cast<int>(ix), static_cast<int>(iy));

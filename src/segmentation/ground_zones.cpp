@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "segdf/core/parallel.hpp"
-#include "segdf/segmentation/arc_tangent.hpp"
 
 namespace segdf {
 
@@ -97,7 +96,7 @@ ConcentricZones::ConcentricZones(const GroundConfig& config,
   }
 }
 
-int ConcentricZones::patchOf(const Point& p) const {
+int ConcentricZones::patchOf(const Point& p, double turn) const {
   const auto x = static_cast<double>(p.x);
   const auto y = static_cast<double>(p.y);
   const double r = std::sqrt(x * x + y * y);
@@ -105,8 +104,7 @@ int ConcentricZones::patchOf(const Point& p) const {
   std::size_t k = 0;
   while (r > rings_[k].end) ++k;
   const Ring& ring = rings_[k];
-  return ring.first_patch +
-         std::min(static_cast<int>(turnOf(y, x) * ring.sectors), ring.sectors - 1);
+  return ring.first_patch + std::min(static_cast<int>(turn * ring.sectors), ring.sectors - 1);
 }
 
 std::size_t ConcentricZones::indexOf(int patch) const {
@@ -133,12 +131,13 @@ int ConcentricZones::innerRings() const { return kRings[0]; }
 
 PatchedPoints sortIntoPatches(const std::vector<Point>& points,
                               const std::vector<PointRole>& roles,
+                              const std::vector<double>& turns,
                               const ConcentricZones& zones,
                               int threads) {
   std::vector<int> patch_of(points.size(), -1);
   parallelBlocks(points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (roles[i] != PointRole::kUnused) patch_of[i] = zones.patchOf(points[i]);
+      if (roles[i] != PointRole::kUnused) patch_of[i] = zones.patchOf(points[i], turns[i]);
     }
   });
   PatchedPoints sorted;

@@ -17,6 +17,9 @@ constexpr int kTouchRows = 1;
 constexpr int kTouchColumns = 3;
 constexpr int kTouchPasses = 2;
 
+/// Horizontal distance, metres; sensors do not see far enough for std::hypot's care.
+float fromAxis(const Point& p) { return std::sqrt(p.x * p.x + p.y * p.y); }
+
 /// Sets `changed[i]` for each ground point for which `releases(i)`, then the roles.
 template <class Condition>
 void release(int threads, const Condition& releases, std::vector<PointRole>& roles) {
@@ -43,13 +46,13 @@ class Feet {
   /// Something stands on the point.
   bool stands(std::size_t i) const {
     const Point& foot = points_[i];
-    const float distance = std::hypot(foot.x, foot.y);
+    const float distance = fromAxis(foot);
     for (int up = 1; up <= kClimbRows; ++up) {
       const std::int32_t j = image_.at(image_.rowOf(i) - up, image_.columnOf(i));
       if (j == RangeImage::kNone) continue;
       const Point& above = points_[static_cast<std::size_t>(j)];
       const float rise = above.z - foot.z;
-      const float away = std::abs(std::hypot(above.x, above.y) - distance);
+      const float away = std::abs(fromAxis(above) - distance);
       if (away > foot_reach_ || rise <= away) return false;
       if (rise >= foot_rise_) return true;
     }

@@ -55,11 +55,6 @@ std::vector<std::int32_t> rowsOfRings(const std::vector<Point>& points,
   return rows;
 }
 
-std::int32_t columnOfAzimuth(const Point& p, int columns) {
-  const double turn = turnOf(static_cast<double>(p.y), static_cast<double>(p.x));
-  return std::min(static_cast<std::int32_t>(turn * columns), columns - 1);
-}
-
 }  // namespace
 
 RangeImage::RangeImage(const std::vector<Point>& points,
@@ -67,6 +62,7 @@ RangeImage::RangeImage(const std::vector<Point>& points,
                        const RangeImageConfig& config)
     : rows_(config.beams),
       columns_(config.columns),
+      turns_(turnsOf(points)),
       row_(points.size(), kNone),
       column_(points.size(), kNone),
       range_(points.size(), 0.0F) {
@@ -77,7 +73,7 @@ RangeImage::RangeImage(const std::vector<Point>& points,
   cells_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), kNone);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    column_[i] = columnOfAzimuth(points[i], columns_);
+    column_[i] = std::min(static_cast<std::int32_t>(turns_[i] * columns_), columns_ - 1);
     std::int32_t& cell =
         cells_[static_cast<std::size_t>(row_[i]) * static_cast<std::size_t>(columns_) +
                static_cast<std::size_t>(column_[i])];

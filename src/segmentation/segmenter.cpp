@@ -32,7 +32,8 @@ void markGround(const Scan& scan,
                 const Config& config,
                 int threads,
                 Segmentation& seg) {
-  Ground ground = extractGround(scan.points, seg.roles, config.ground, config.range_image, threads);
+  Ground ground = extractGround(scan.points, seg.roles, image.turns(), config.ground,
+                                config.range_image, threads);
   for (std::size_t i = 0; i < seg.roles.size(); ++i) {
     if (ground.is_ground[i] != 0) seg.roles[i] = PointRole::kGround;
   }
@@ -61,13 +62,14 @@ void describeSurfaces(const Scan& scan,
 /// Keys of the object points, in the order of the points.
 std::vector<KeyedPoint> objectKeys(const Scan& scan,
                                    const std::vector<PointRole>& roles,
+                                   const std::vector<double>& turns,
                                    const CurvedGrid& grid,
                                    int threads) {
   std::vector<CurvedGrid::Key> keys(scan.points.size(), 0);
   parallelBlocks(scan.points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (roles[i] != PointRole::kObject) continue;
-      keys[i] = grid.keyOf(scan.points[i].position().cast<double>()).value_or(0);
+      keys[i] = grid.keyOf(scan.points[i].position().cast<double>(), turns[i]).value_or(0);
     }
   });
   std::vector<KeyedPoint> items;
@@ -131,7 +133,8 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
   const std::vector<float> intensity =
       calibrateIntensity(scan.points, seg.surfaces, config.intensity);
   const CurvedGrid grid(config.cvi, config.input.min_range);
-  seg.voxels = buildCurvedVoxels(objectKeys(scan, seg.roles, grid, threads), intensity);
+  seg.voxels =
+      buildCurvedVoxels(objectKeys(scan, seg.roles, image->turns(), grid, threads), intensity);
   seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
   carveClusters(scan.points, *image, seg.height, config, seg.voxels, seg.clusters);
   seg.segments = collectSegments(scan, seg.voxels, seg.clusters);

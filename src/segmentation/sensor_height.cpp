@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "segdf/segmentation/arc_tangent.hpp"
 #include "segdf/segmentation/ground.hpp"
 
 namespace segdf {
@@ -19,6 +18,7 @@ constexpr double kLowQuantile = 0.1;
 
 double estimateSensorHeight(const std::vector<Point>& points,
                             const std::vector<PointRole>& roles,
+                            const std::vector<double>& turns,
                             const GroundConfig& config) {
   std::vector<std::vector<float>> cells(kCells);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -27,8 +27,7 @@ double estimateSensorHeight(const std::vector<Point>& points,
     const auto y = static_cast<double>(points[i].y);
     const double square = x * x + y * y;
     if (square <= config.l_min * config.l_min || square > kReach * kReach) continue;
-    cells[std::min(static_cast<std::size_t>(turnOf(y, x) * kCells), kCells - 1)].push_back(
-        points[i].z);
+    cells[std::min(static_cast<std::size_t>(turns[i] * kCells), kCells - 1)].push_back(points[i].z);
   }
   std::vector<double> lows;
   for (auto& cell : cells) {

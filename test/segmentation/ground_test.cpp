@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "segdf/segmentation/arc_tangent.hpp"
+
 #include "support/box_world.hpp"
 
 namespace segdf {
@@ -17,7 +19,8 @@ std::vector<PointRole> allUsed(const Scan& scan) {
 }
 
 Ground groundOf(const Scan& scan, int threads = 1) {
-  return extractGround(scan.points, allUsed(scan), GroundConfig{}, RangeImageConfig{}, threads);
+  return extractGround(scan.points, allUsed(scan), turnsOf(scan.points), GroundConfig{},
+                       RangeImageConfig{}, threads);
 }
 
 /// Height of a point above z = 0 of the world.
@@ -85,7 +88,9 @@ TEST(Ground, ASlopeIsGround) {
 
 TEST(Ground, HeightOfTheSensorIsMeasured) {
   const Scan scan = test::makeStreet().scan(0.0, 0.0, 0.0, 0);
-  EXPECT_NEAR(estimateSensorHeight(scan.points, allUsed(scan), GroundConfig{}), 1.73, 0.02);
+  EXPECT_NEAR(
+      estimateSensorHeight(scan.points, allUsed(scan), turnsOf(scan.points), GroundConfig{}), 1.73,
+      0.02);
 }
 
 TEST(Ground, HeightOverGroundFollowsTheWorld) {
@@ -115,7 +120,8 @@ TEST(Ground, UnusedPointsAreNeverGround) {
   const Scan scan = BoxWorld().scan(0.0, 0.0, 0.0, 0);
   std::vector<PointRole> roles = allUsed(scan);
   for (std::size_t i = 0; i < roles.size(); i += 2) roles[i] = PointRole::kUnused;
-  const Ground ground = extractGround(scan.points, roles, GroundConfig{}, RangeImageConfig{}, 1);
+  const Ground ground = extractGround(scan.points, roles, turnsOf(scan.points), GroundConfig{},
+                                      RangeImageConfig{}, 1);
   for (std::size_t i = 0; i < roles.size(); i += 2) ASSERT_EQ(ground.is_ground[i], 0);
 }
 
@@ -214,7 +220,9 @@ TEST(Ground, HalfAScanIsEnough) {
     index.push_back(i);
   }
   half.pose = whole.pose;
-  EXPECT_NEAR(estimateSensorHeight(half.points, allUsed(half), GroundConfig{}), 1.73, 0.02);
+  EXPECT_NEAR(
+      estimateSensorHeight(half.points, allUsed(half), turnsOf(half.points), GroundConfig{}), 1.73,
+      0.02);
   const Ground of_whole = groundOf(whole);
   const Ground of_half = groundOf(half);
   std::size_t differ = 0;

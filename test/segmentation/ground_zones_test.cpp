@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "segdf/segmentation/arc_tangent.hpp"
+
 namespace segdf {
 namespace {
 
@@ -34,16 +36,20 @@ double landing(const RangeImageConfig& sensor, int laser) {
 
 Point ahead(double range) { return {static_cast<float>(range), 0.0F, 0.0F, 0.0F, 0.0F, -1}; }
 
+int patchOf(const ConcentricZones& zones, const Point& p) {
+  return zones.patchOf(p, turnOf(static_cast<double>(p.y), static_cast<double>(p.x)));
+}
+
 TEST(GroundZones, SixtyFourLasersHaveTheZonesOfPatchwork) {
   const ConcentricZones zones(GroundConfig{}, kHdl64, kHeight);
   EXPECT_EQ(zones.patches(), 2 * 16 + 4 * 32 + 4 * 54 + 4 * 32);
   // l_min 2.7 and l_max 80: zones end at 12.36, 22.03, 41.35 and 80 m.
-  EXPECT_EQ(zones.patchOf(ahead(2.6)), -1);
-  EXPECT_EQ(zones.ringOf(zones.patchOf(ahead(12.3))), 1);
-  EXPECT_EQ(zones.ringOf(zones.patchOf(ahead(12.4))), 2);
-  EXPECT_EQ(zones.ringOf(zones.patchOf(ahead(41.3))), 9);
-  EXPECT_EQ(zones.ringOf(zones.patchOf(ahead(79.9))), 13);
-  EXPECT_EQ(zones.patchOf(ahead(80.1)), -1);
+  EXPECT_EQ(patchOf(zones, ahead(2.6)), -1);
+  EXPECT_EQ(zones.ringOf(patchOf(zones, ahead(12.3))), 1);
+  EXPECT_EQ(zones.ringOf(patchOf(zones, ahead(12.4))), 2);
+  EXPECT_EQ(zones.ringOf(patchOf(zones, ahead(41.3))), 9);
+  EXPECT_EQ(zones.ringOf(patchOf(zones, ahead(79.9))), 13);
+  EXPECT_EQ(patchOf(zones, ahead(80.1)), -1);
 }
 
 TEST(GroundZones, WithFewLasersARingHoldsTwoOrIsWide) {
@@ -54,10 +60,10 @@ TEST(GroundZones, WithFewLasersARingHoldsTwoOrIsWide) {
     for (int laser = 0; laser < sensor.beams; ++laser) {
       const double range = landing(sensor, laser);
       if (range < 0.0 || range > config.l_max) continue;
-      rings[ConcentricZones(config, sensor, kHeight).patchOf(ahead(range))].push_back(range);
+      rings[patchOf(ConcentricZones(config, sensor, kHeight), ahead(range))].push_back(range);
       // Noise in range does not take a laser's line into another ring.
-      EXPECT_EQ(ConcentricZones(config, sensor, kHeight).patchOf(ahead(0.98 * range)),
-                ConcentricZones(config, sensor, kHeight).patchOf(ahead(1.02 * range)));
+      EXPECT_EQ(patchOf(ConcentricZones(config, sensor, kHeight), ahead(0.98 * range)),
+                patchOf(ConcentricZones(config, sensor, kHeight), ahead(1.02 * range)));
     }
     EXPECT_GE(rings.size(), 3U);
     for (const auto& [patch, ranges] : rings) {
@@ -78,7 +84,7 @@ TEST(GroundZones, TyingCanBeLeftOut) {
 TEST(GroundZones, TheInnerNeighbourIsOnTheWayToTheSensor) {
   for (const RangeImageConfig& sensor : {kVlp16, kHdl32, kHdl64}) {
     const ConcentricZones zones(GroundConfig{}, sensor, kHeight);
-    int patch = zones.patchOf(ahead(70.0));
+    int patch = patchOf(zones, ahead(70.0));
     int rings = 0;
     for (; patch >= 0; patch = zones.innerNeighbour(patch)) {
       bool is_ahead = false;
@@ -86,7 +92,8 @@ TEST(GroundZones, TheInnerNeighbourIsOnTheWayToTheSensor) {
         // The sector that begins at azimuth 0, or its neighbour when sectors do not match.
         const Point left{
             static_cast<float>(range), static_cast<float>(0.09 * range), 0.0F, 0.0F, 0.0F, -1};
-        is_ahead = is_ahead || zones.patchOf(ahead(range)) == patch || zones.patchOf(left) == patch;
+        is_ahead =
+            is_ahead || patchOf(zones, ahead(range)) == patch || patchOf(zones, left) == patch;
       }
       EXPECT_TRUE(is_ahead) << patch;
       ++rings;
@@ -99,9 +106,10 @@ TEST(GroundZones, TheSideNeighboursGoOnceAroundTheRing) {
   const ConcentricZones zones(GroundConfig{}, RangeImageConfig{}, kHeight);
   const std::vector<std::pair<double, int>> sectors{{5.0, 16}, {15.0, 32}, {30.0, 54}, {70.0, 32}};
   for (const auto& [range, count] : sectors) {
-    const int start = zones.patchOf(ahead(range));
+    const int start = patchOf(zones, ahead(range));
     const auto x = static_cast<float>(range);
-    EXPECT_EQ(zones.sideNeighbour(start, -1), zones.patchOf({x, -0.05F * x, 0.0F, 0.0F, 0.0F, -1}));
+    EXPECT_EQ(zones.sideNeighbour(start, -1),
+              patchOf(zones, {x, -0.05F * x, 0.0F, 0.0F, 0.0F, -1}));
     int patch = start;
     for (int k = 1; k < count; ++k) {
       const int last = patch;

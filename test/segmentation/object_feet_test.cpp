@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "segdf/segmentation/arc_tangent.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/segmenter.hpp"
 
@@ -46,8 +47,8 @@ TEST(ObjectFeet, BelongToTheObject) {
   StageTimes times;
   const Config config;
   std::vector<PointRole> planes_only = selectPoints(scan.points, config.input);
-  const Ground ground =
-      extractGround(scan.points, planes_only, config.ground, config.range_image, 1);
+  const Ground ground = extractGround(scan.points, planes_only, turnsOf(scan.points), config.ground,
+                                      config.range_image, 1);
   for (std::size_t i = 0; i < planes_only.size(); ++i) {
     if (ground.is_ground[i] != 0) planes_only[i] = PointRole::kGround;
   }

@@ -24,10 +24,11 @@ struct Fixture {
   Config config;
   Scan scan = test::benchmarkScan();
   std::vector<PointRole> used = selectPoints(scan.points, config.input);
-  Ground ground = extractGround(scan.points, used, config.ground, config.range_image, 1);
+  RangeImage image{scan.points, used, config.range_image};
+  Ground ground =
+      extractGround(scan.points, used, image.turns(), config.ground, config.range_image, 1);
   StageTimes times;
   Segmentation seg = segmentScan(scan, config, 1, times);
-  RangeImage image{scan.points, seg.roles, config.range_image};
   std::vector<float> intensity = calibrateIntensity(scan.points, seg.surfaces, config.intensity);
   CurvedGrid grid{config.cvi, config.input.min_range};
 };
@@ -70,7 +71,8 @@ void add(const char* name, const Body& body) {
 void addSegmentation() {
   add("select points", [](Fixture& f) { return selectPoints(f.scan.points, f.config.input); });
   add("ground", [](Fixture& f) {
-    return extractGround(f.scan.points, f.used, f.config.ground, f.config.range_image, 1);
+    return extractGround(f.scan.points, f.used, f.image.turns(), f.config.ground,
+                         f.config.range_image, 1);
   });
   add("height over ground",
       [](Fixture& f) { return heightOverGround(f.scan.points, f.ground, f.config.ground.l_max); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -34,7 +35,9 @@ struct Scan {
 };
 
 /// True iff all coordinates of the point are finite.
-bool isFinite(const Point& point);
+inline bool isFinite(const Point& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
 
 /// True iff the pose is finite and its rotation is orthonormal within 1e-3.
 bool isValidPose(const Pose& pose);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "segdf/core/scan.hpp"
 
 namespace segdf {
 
 /// Angle of (x, y) in [-pi, pi], rad, for finite arguments; 0 at the origin. Within 2e-8 rad of
-/// std::atan2 and several times faster: every scan asks it some hundred thousand times.
+/// std::atan2 and several times faster: every scan asks it some hundred thousand times. Without a
+/// branch: compilers make several at a time.
 inline double arcTangent2(double y, double x) {
   constexpr double kPi = 3.14159265358979323846;
   const double ax = std::abs(x);
   const double ay = std::abs(y);
-  const double longer = std::max(ax, ay);
-  if (!(longer > 0.0)) return 0.0;
-  const double t = std::min(ax, ay) / longer;
+  const double longer = ax > ay ? ax : ay;
+  const double shorter = ax > ay ? ay : ax;
+  const double t = shorter / (longer > 0.0 ? longer : 1.0);
   // atan(t) / t as a polynomial in t^2, interpolated at Chebyshev nodes of [0, 1]; summed in
   // halves, which leaves the processor less to wait for than Horner's scheme.
   const double s = t * t;
@@ -25,12 +28,12 @@ inline double arcTangent2(double y, double x) {
   const double high = (0.1063675411276 - 0.07495445477053 * s) +
                       s2 * (0.04258760789379 - 0.01600503078554 * s) + s4 * 0.002834064374102;
   double angle = t * (low + s4 * high);
-  if (ay > ax) angle = kPi / 2.0 - angle;
-  if (x < 0.0) angle = kPi - angle;
+  angle = ay > ax ? kPi / 2.0 - angle : angle;
+  angle = x < 0.0 ? kPi - angle : angle;
   return y < 0.0 ? -angle : angle;
 }
 
-/// As above in single precision, within 1e-6 rad, without a branch: compilers make four at a time.
+/// As above in single precision, within 1e-6 rad.
 inline float arcTangent2(float y, float x) {
   constexpr float kPi = 3.14159265F;
   const float ax = std::abs(x);
@@ -56,5 +59,8 @@ inline double turnOf(double y, double x) {
   const double turn = arcTangent2(y, x) / kTwoPi;
   return turn < 0.0 ? turn + 1.0 : turn;
 }
+
+/// Azimuth of each point as a share of a full turn, in [0, 1]; anything where it is not finite.
+std::vector<double> turnsOf(const std::vector<Point>& points);
 
 }  // namespace segdf

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "segdf/core/config.hpp"
+#include "segdf/segmentation/arc_tangent.hpp"
 
 namespace segdf {
 
@@ -23,7 +24,11 @@ class CurvedGrid {
   CurvedGrid(const CurvedVoxelConfig& config, double rho_min);
 
   /// Cell of a position in the sensor frame; nothing nearer than rho_min or not finite.
-  std::optional<Key> keyOf(const Eigen::Vector3d& position) const;
+  std::optional<Key> keyOf(const Eigen::Vector3d& position) const {
+    return keyOf(position, turnOf(position.y(), position.x()));
+  }
+  /// For who has its azimuth. @param turn turnOf(y, x)
+  std::optional<Key> keyOf(const Eigen::Vector3d& position, double turn) const;
 
   int azimuthCells() const { return azimuth_cells_; }
 

@@ -17,9 +17,11 @@ struct Ground {
 };
 
 /// Marks the ground among the points whose role is not kUnused. Patches are independent of each
-/// other, the result does not depend on the threads or on earlier scans. @param lasers the sensor's
+/// other, the result does not depend on the threads or on earlier scans. @param turns azimuths of
+/// the points, turnsOf(points) @param lasers the sensor's
 Ground extractGround(const std::vector<Point>& points,
                      const std::vector<PointRole>& roles,
+                     const std::vector<double>& turns,
                      const GroundConfig& config,
                      const RangeImageConfig& lasers,
                      int threads);
@@ -28,6 +30,7 @@ Ground extractGround(const std::vector<Point>& points,
 /// their low points (method.md 2.3). Returns 0 when there is nothing near enough to tell.
 double estimateSensorHeight(const std::vector<Point>& points,
                             const std::vector<PointRole>& roles,
+                            const std::vector<double>& turns,
                             const GroundConfig& config);
 
 /// Signed height over the local ground for each point, metres (method.md 2.4): median ground of 1 m

@@ -27,8 +27,8 @@ class ConcentricZones {
   ConcentricZones(const GroundConfig& config, const RangeImageConfig& lasers, double sensor_height);
 
   int patches() const { return rings_.back().first_patch + rings_.back().sectors; }
-  /// Patch of a point, -1 outside the zones.
-  int patchOf(const Point& p) const;
+  /// Patch of a point, -1 outside the zones. @param turn its azimuth, turnOf(y, x)
+  int patchOf(const Point& p, double turn) const;
   /// Number of the equally wide ring, counted from the sensor, that holds the patch's middle.
   int ringOf(int patch) const { return rings_[indexOf(patch)].number; }
   /// The patch before the middle of this one on the way to the sensor, -1 for the innermost ring.
@@ -72,6 +72,7 @@ struct PatchedPoints {
 
 PatchedPoints sortIntoPatches(const std::vector<Point>& points,
                               const std::vector<PointRole>& roles,
+                              const std::vector<double>& turns,
                               const ConcentricZones& zones,
                               int threads);
 

@@ -37,6 +37,8 @@ class RangeImage {
     return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
   }
+  /// Azimuth of each point as a share of a full turn; anything for unused points.
+  const std::vector<double>& turns() const { return turns_; }
   /// Distance of a point from the sensor, metres.
   float rangeOf(std::size_t point) const { return range_[point]; }
 
@@ -47,6 +49,7 @@ class RangeImage {
 
   int rows_ = 0;
   int columns_ = 0;
+  std::vector<double> turns_;
   std::vector<std::int32_t> row_;
   std::vector<std::int32_t> column_;
   std::vector<float> range_;
