@@ -22,6 +22,13 @@ constexpr double kRangeOfHeights = 6.0;   // metres from darkest to brightest
 
 using Colour = std::array<std::uint8_t, 3>;
 
+// A cell of the picture as one number, the greater on top: its kind, its height, its shade.
+constexpr unsigned kKindShift = 29;
+constexpr unsigned kLevelShift = 8;
+constexpr std::uint32_t kShadeMask = (1U << kLevelShift) - 1;
+constexpr double kHighestLevel = (1U << (kKindShift - kLevelShift)) - 1;
+constexpr double kLowest = 1000.0;  // metres below the map's origin
+
 // Later kinds cover earlier ones.
 enum Kind : std::uint8_t { kNothing, kGround, kOther, kVegetation, kBuilding, kMovable, kRemoved };
 constexpr std::array<Colour, 7> kColours{{{16, 18, 22},
@@ -57,7 +64,25 @@ double unitIntensity(float intensity) {
   return std::clamp(value > 1.0 ? value / 255.0 : value, 0.0, 1.0);
 }
 
-Colour shaded(std::uint8_t kind, std::uint8_t shade) {
+std::uint32_t shadeOfGround(const MapPoint& point) {
+  return static_cast<std::uint32_t>(80.0 * std::sqrt(unitIntensity(point.intensity)));
+}
+
+/// Relative to the sensor, whose height is that of the map's origin at the start.
+std::uint32_t shadeOfHeight(const MapPoint& point) {
+  const double share = (static_cast<double>(point.z) + 2.0) / kRangeOfHeights;
+  return static_cast<std::uint32_t>(95.0 + 160.0 * std::clamp(share, 0.0, 1.0));
+}
+
+/// Height in millimetres, between the bounds of its bits.
+std::uint32_t levelOf(const MapPoint& point) {
+  const double level = (static_cast<double>(point.z) + kLowest) * 1000.0;
+  return static_cast<std::uint32_t>(std::clamp(level, 0.0, kHighestLevel));
+}
+
+Colour shaded(std::uint32_t cell) {
+  const std::uint32_t kind = cell >> kKindShift;
+  const std::uint32_t shade = cell & kShadeMask;
   Colour colour = kColours[kind];
   if (kind == kNothing || kind == kRemoved) return colour;
   for (std::uint8_t& channel : colour) {
@@ -100,18 +125,12 @@ std::size_t TopDownImage::pixelAt(double x, double y) const {
 void TopDownImage::add(const MapPoint& point) {
   const std::size_t pixel = pixelAt(static_cast<double>(point.x), static_cast<double>(point.y));
   if (pixel == cells_.size()) return;
-  Cell& cell = cells_[pixel];
   const Kind kind = kindOf(point);
-  if (kind < cell.kind || (kind == cell.kind && point.z <= cell.height)) return;
-  cell.kind = kind;
-  cell.height = point.z;
-  if (kind == kGround) {
-    cell.shade = static_cast<std::uint8_t>(80.0 * std::sqrt(unitIntensity(point.intensity)));
-    return;
-  }
-  // Relative to the sensor, whose height is that of the map's origin at the start.
-  const double share = (static_cast<double>(point.z) + 2.0) / kRangeOfHeights;
-  cell.shade = static_cast<std::uint8_t>(95.0 + 160.0 * std::clamp(share, 0.0, 1.0));
+  const std::uint32_t shade = kind == kGround ? shadeOfGround(point) : shadeOfHeight(point);
+  const std::uint32_t cell =
+      (static_cast<std::uint32_t>(kind) << kKindShift) | (levelOf(point) << kLevelShift) | shade;
+  // The greater of the two, without a branch: which point is on top is not to be foretold.
+  cells_[pixel] += (cell - cells_[pixel]) * static_cast<std::uint32_t>(cell > cells_[pixel]);
 }
 
 void TopDownImage::drawTrajectory(std::vector<std::uint8_t>& rgb) const {
@@ -141,7 +160,7 @@ void TopDownImage::drawScale(std::vector<std::uint8_t>& rgb) const {
 void TopDownImage::write(const std::filesystem::path& file) {
   std::vector<std::uint8_t> rgb(3 * cells_.size());
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    paint(rgb, k, shaded(cells_[k].kind, cells_[k].shade));
+    paint(rgb, k, shaded(cells_[k]));
   }
   drawTrajectory(rgb);
   drawScale(rgb);

@@ -27,12 +27,6 @@ class TopDownImage {
   void write(const std::filesystem::path& file);
 
  private:
-  struct Cell {
-    std::uint8_t kind = 0;
-    std::uint8_t shade = 0;
-    float height = 0.0F;
-  };
-
   /// Index of the pixel at a place, cells_.size() outside the picture.
   std::size_t pixelAt(double x, double y) const;
   void drawTrajectory(std::vector<std::uint8_t>& rgb) const;
@@ -43,7 +37,7 @@ class TopDownImage {
   double metres_per_pixel_;
   std::size_t width_;
   std::size_t height_;
-  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> cells_;  ///< what is on top
 };
 
 }  // namespace segdf
