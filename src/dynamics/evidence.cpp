@@ -21,10 +21,6 @@ constexpr std::uint32_t kBlock = 64;
 constexpr std::uint32_t kStride = 4;
 constexpr std::uint32_t kEnoughPlaces = 32;  // of a segment, for some to speak for all
 
-void increment(std::uint8_t& counter) {
-  if (counter < std::numeric_limits<std::uint8_t>::max()) ++counter;
-}
-
 /// Voxels by segment, those of no segment last: [begin[s], begin[s + 1]) of the list.
 std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
                                            std::vector<std::uint32_t>& begin) {
@@ -64,13 +60,15 @@ void addVoxel(const CurvedVoxels& voxels,
 
 using Places = Eigen::Ref<const Eigen::MatrixX3f>;
 
+using States = std::array<VolumetricState, kBlock>;
+
 /// States of up to kBlock places of a segment. Every kStride-th is looked at, and all of them only
 /// when one of these is seen through; else they are what the one before them is. Most of a scan
 /// stands.
-void lookAtBlock(const VisibilityImage& image,
-                 const Places& places,
-                 const Eigen::Isometry3f& image_T_places,
-                 VolumetricState* states) {
+void lookAtSome(const VisibilityImage& image,
+                const Places& places,
+                const Eigen::Isometry3f& image_T_places,
+                States& states) {
   constexpr Eigen::Index kMost = kBlock / kStride;
   const Eigen::Index count = (places.rows() + kStride - 1) / kStride;
   Eigen::Matrix<float, Eigen::Dynamic, 3, 0, kMost, 3> sample(count, 3);
@@ -78,48 +76,30 @@ void lookAtBlock(const VisibilityImage& image,
   std::array<VolumetricState, kMost> seen{};
   image.look(sample, image_T_places, seen.data());
   if (std::find(seen.begin(), seen.end(), VolumetricState::kFree) != seen.end()) {
-    image.look(places, image_T_places, states);
+    image.look(places, image_T_places, states.data());
     return;
   }
-  for (Eigen::Index k = 0; k < places.rows(); ++k) {
-    states[k] = seen[static_cast<std::size_t>(k / kStride)];
+  for (std::size_t k = 0; k < kMost; ++k) {
+    std::fill_n(states.begin() + k * kStride, kStride, seen[k]);
   }
 }
 
-/// States of all places of a segment.
-void lookAtSegment(const VisibilityImage& image,
-                   const Places& places,
-                   const Eigen::Isometry3f& image_T_places,
-                   VolumetricState* states) {
-  if (places.rows() < kEnoughPlaces) {
-    image.look(places, image_T_places, states);
-    return;
+/// Counts the answers `wanted` of so many places. @return points that these stand for
+/// @param first of each place, its first point, and one more
+std::uint32_t countAnswers(const States& states,
+                           std::size_t places,
+                           VolumetricState wanted,
+                           const std::uint32_t* first,
+                           std::uint8_t* counters) {
+  std::uint32_t points = 0;
+  for (std::size_t k = 0; k < places; ++k) {
+    const unsigned counts = states[k] == wanted ? 1 : 0;
+    const unsigned room = counters[k] < std::numeric_limits<std::uint8_t>::max() ? 1 : 0;
+    // Without a branch: nobody can foretell answers.
+    counters[k] = static_cast<std::uint8_t>(counters[k] + (counts & room));
+    points += counts * (first[k + 1] - first[k]);
   }
-  for (Eigen::Index k = 0; k < places.rows(); k += kBlock) {
-    const Eigen::Index count = std::min<Eigen::Index>(kBlock, places.rows() - k);
-    lookAtBlock(image, places.middleRows(k, count), image_T_places, states + k);
-  }
-}
-
-/// Notes the states of the places from `begin` on. @return their points seen through and found
-/// again
-PairVote note(FrameEvidence& evidence,
-              std::uint32_t begin,
-              const std::vector<VolumetricState>& states,
-              bool late) {
-  PairVote vote;
-  for (std::size_t k = 0; k < states.size(); ++k) {
-    const std::size_t place = begin + k;
-    const std::uint32_t points = evidence.first[place + 1] - evidence.first[place];
-    if (states[k] == VolumetricState::kFree) {
-      increment(evidence.answers[place].free);
-      vote.free += points;
-    } else if (states[k] == VolumetricState::kHit) {
-      if (late) increment(evidence.answers[place].hit);
-      vote.hit += points;
-    }
-  }
-  return vote;
+  return points;
 }
 
 Eigen::MatrixX3f positionsOf(const std::vector<std::uint32_t>& points, const Scan& scan) {
@@ -149,6 +129,7 @@ FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config
           {},
           {},
           {},
+          {},
           {}};
 }
 
@@ -169,7 +150,8 @@ void listPlaces(KeyFrame& frame) {
   evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
   evidence.first.push_back(static_cast<std::uint32_t>(evidence.listed.size()));
   evidence.places = positionsOf(places, frame.scan);
-  evidence.answers.resize(places.size());
+  evidence.free.resize(places.size());
+  evidence.hit.resize(places.size());
   evidence.votes.resize(frame.seg.segments.size());
 }
 
@@ -185,9 +167,9 @@ PointsBySegment placePoints(const KeyFrame& frame) {
 std::vector<PlaceEvidence> evidenceByPoint(const KeyFrame& frame) {
   const FrameEvidence& evidence = *frame.evidence;
   std::vector<PlaceEvidence> by_point(frame.scan.points.size());
-  for (std::size_t k = 0; k < evidence.answers.size(); ++k) {
+  for (std::size_t k = 0; k < evidence.free.size(); ++k) {
     for (std::uint32_t p = evidence.first[k]; p < evidence.first[k + 1]; ++p) {
-      by_point[evidence.listed[p]] = evidence.answers[k];
+      by_point[evidence.listed[p]] = evidence.answer(k);
     }
   }
   return by_point;
@@ -205,17 +187,27 @@ void gatherEvidence(KeyFrame& frame,
   const bool late = isFarInTime(seconds, config);
   const std::size_t loose = evidence.votes.size();
   const auto look = [&](std::size_t group) {
-    const std::uint32_t begin = evidence.begin[group];
-    const std::uint32_t count = evidence.begin[group + 1] - begin;
-    std::vector<VolumetricState> states(count);
-    const Places places = evidence.places.middleRows(begin, count);
+    const std::uint32_t end = evidence.begin[group + 1];
     // Places in no segment have nothing to do with each other.
-    if (group == loose) {
-      image.look(places, image_T_frame, states.data());
-    } else {
-      lookAtSegment(image, places, image_T_frame, states.data());
+    const bool some = group != loose && end - evidence.begin[group] >= kEnoughPlaces;
+    PairVote vote;
+    States states{};
+    std::array<std::uint8_t, kBlock> early{};  // hits that do not count
+    for (std::uint32_t k = evidence.begin[group]; k < end; k += kBlock) {
+      const std::uint32_t count = std::min(kBlock, end - k);
+      const Places places = evidence.places.middleRows(k, count);
+      if (some) {
+        lookAtSome(image, places, image_T_frame, states);
+      } else {
+        image.look(places, image_T_frame, states.data());
+      }
+      const std::uint32_t* first = evidence.first.data() + k;
+      vote.free +=
+          countAnswers(states, count, VolumetricState::kFree, first, evidence.free.data() + k);
+      vote.hit += countAnswers(states, count, VolumetricState::kHit, first,
+                               late ? evidence.hit.data() + k : early.data());
     }
-    return note(evidence, begin, states, late);
+    return vote;
   };
   parallelFor(loose + 1, threads, [&](std::size_t group) {
     PairVote vote = look(group);

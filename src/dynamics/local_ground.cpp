@@ -25,8 +25,7 @@ constexpr double kNear = 2.0;
 
 /// A ground point as the fit uses it.
 struct Sample {
-  Eigen::Vector3d row;  ///< place from the centre, metres; 1
-  double z = 0.0;       ///< metres
+  Eigen::Vector4d row;  ///< place from the centre, metres; 1; z, metres
   double weight = 0.0;  ///< by the distance from the area
 };
 
@@ -42,7 +41,7 @@ std::vector<Sample> thinned(const std::vector<Eigen::Vector3f>& ground,
     const auto away = static_cast<double>(area.exteriorDistance(place));
     const double near = 1.0 / (1.0 + away * away / (kNear * kNear));
     samples.push_back(
-        {{from_center.x(), from_center.y(), 1.0}, static_cast<double>(ground[k].z()), near * near});
+        {{from_center.x(), from_center.y(), 1.0, static_cast<double>(ground[k].z())}, near * near});
   }
   return samples;
 }
@@ -70,18 +69,19 @@ void LocalGround::fit(const std::vector<Eigen::Vector3f>& ground, const Eigen::A
   const std::vector<Sample> samples = thinned(ground, area, center_);
   Eigen::Vector3d plane = Eigen::Vector3d::Zero();
   for (int step = 0; step < kSteps; ++step) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    // Normal equations, and in the last column their right side.
+    Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
+    const Eigen::Vector4d over(-plane.x(), -plane.y(), -plane.z(), 1.0);
     for (const Sample& sample : samples) {
-      const double off = step == 0 ? 0.0 : sample.z - sample.row.dot(plane);
+      const double off = step == 0 ? 0.0 : sample.row.dot(over);
       const double scaled = off / (off > 0.0 ? kScaleAbove : kScaleBelow);
       const double root = 1.0 / (1.0 + scaled * scaled);
       const double weight = root * root * sample.weight;
-      normal += weight * sample.row * sample.row.transpose();
-      right += weight * sample.z * sample.row;
+      sums += weight * sample.row * sample.row.transpose();
     }
+    Eigen::Matrix3d normal = sums.topLeftCorner<3, 3>();
     normal.diagonal().head<2>().array() += kFlatness * normal(2, 2);  // (2, 2): the sum of weights
-    plane = normal.ldlt().solve(right);
+    plane = normal.ldlt().solve(sums.col(3).head<3>());
   }
   plane_ = plane.cast<float>();
   known_ = true;

@@ -160,7 +160,7 @@ void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
   const std::size_t loose = evidence.begin.size() - 2;
   const auto least = static_cast<std::uint8_t>(config.loose_votes);
   for (std::uint32_t k = evidence.begin[loose]; k < evidence.begin[loose + 1]; ++k) {
-    const PlaceEvidence& e = evidence.answers[k];
+    const PlaceEvidence e = evidence.answer(k);
     const std::uint32_t i = evidence.listed[evidence.first[k]];
     // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
     if (frame.seg.height[i] < static_cast<float>(config.foot_height)) continue;

@@ -38,10 +38,35 @@ int sumOf(const Lanes& lanes) {
   return sum;
 }
 
-float horizontal(const Eigen::Vector3f& x) { return std::sqrt(x.x() * x.x() + x.y() * x.y()); }
-
 int centimetres(float metres) {
   return static_cast<int>(std::lround(100.0F * std::min(metres, kFarthestRange)));
+}
+
+/// Where points are seen from the sensor.
+struct Directions {
+  std::vector<float> elevation;  ///< rad
+  std::vector<float> azimuth;    ///< rad
+  std::vector<float> range;      ///< metres
+};
+
+Directions directionsOf(const std::vector<Point>& points) {
+  const std::size_t count = points.size();
+  // Coordinates one after the other are what compilers make several at a time of.
+  Eigen::MatrixX3f places(static_cast<Eigen::Index>(count), 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    places.row(static_cast<Eigen::Index>(i)) = points[i].position();
+  }
+  const float* x = places.col(0).data();
+  const float* y = places.col(1).data();
+  const float* z = places.col(2).data();
+  Directions seen{std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const float squared = x[i] * x[i] + y[i] * y[i];
+    seen.elevation[i] = arcTangent2(z[i], std::sqrt(squared));
+    seen.azimuth[i] = arcTangent2(y[i], x[i]);
+    seen.range[i] = std::sqrt(squared + z[i] * z[i]);
+  }
+  return seen;
 }
 
 }  // namespace
@@ -68,14 +93,13 @@ VisibilityImage::Window VisibilityImage::windowOf(int columns) const {
 }
 
 void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<PointRole>& roles) {
-  std::vector<float> elevations(points.size());
+  const Directions seen = directionsOf(points);
   float highest = -kPi;
   lowest_ = kPi;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    elevations[i] = arcTangent2(points[i].z, horizontal(points[i].position()));
-    lowest_ = std::min(lowest_, elevations[i]);
-    highest = std::max(highest, elevations[i]);
+    lowest_ = std::min(lowest_, seen.elevation[i]);
+    highest = std::max(highest, seen.elevation[i]);
   }
   if (highest < lowest_) return;
   rows_ = static_cast<int>((highest - lowest_) / row_step_) + 1;
@@ -84,12 +108,10 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   farthest_.assign(nearest_.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    const Point& p = points[i];
-    const int row = static_cast<int>((elevations[i] - lowest_) / row_step_);
-    const int column =
-        std::min(static_cast<int>((arcTangent2(p.y, p.x) + kPi) / column_step_), columns_ - 1);
-    const auto range = static_cast<Centimetres>(centimetres(p.position().norm()));
-    const std::size_t bin = index(std::min(row, rows_ - 1), column);
+    const int row = static_cast<int>((seen.elevation[i] - lowest_) / row_step_);
+    const int column = static_cast<int>((seen.azimuth[i] + kPi) / column_step_);
+    const auto range = static_cast<Centimetres>(centimetres(seen.range[i]));
+    const std::size_t bin = index(std::min(row, rows_ - 1), std::min(column, columns_ - 1));
     nearest_[bin] = std::min(nearest_[bin], range);
     farthest_[bin] = std::max(farthest_[bin], range);
   }

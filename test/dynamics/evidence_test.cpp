@@ -55,7 +55,7 @@ class EvidenceTest : public ::testing::Test {
   /// What every single place is found to be.
   static std::vector<VolumetricState> statesOf(const KeyFrame& frame, const KeyFrame& other) {
     const FrameEvidence& evidence = *frame.evidence;
-    std::vector<VolumetricState> states(evidence.answers.size());
+    std::vector<VolumetricState> states(evidence.free.size());
     other.evidence->image.look(evidence.places, pose(frame, other).cast<float>(), states.data());
     return states;
   }
@@ -79,7 +79,7 @@ TEST_F(EvidenceTest, APersonWhoLeftIsSeenThroughInTheMiddleOfAWall) {
   ASSERT_LT(10 * free, states.size()) << "a small part";
   std::size_t missed = 0;
   for (std::size_t k = 0; k < states.size(); ++k) {
-    const PlaceEvidence& answer = frame->evidence->answers[k];
+    const PlaceEvidence answer = frame->evidence->answer(k);
     const bool seen_through = states[k] == VolumetricState::kFree;
     missed += seen_through && answer.free == 0 ? 1 : 0;
     ASSERT_TRUE(seen_through || answer.free == 0) << "place " << k;
@@ -108,12 +108,12 @@ TEST_F(EvidenceTest, EachPlaceInNoSegmentIsLookedAt) {
   prepare(*frame, *other);
   // What is in no segment comes last: here all of it.
   FrameEvidence& evidence = *frame->evidence;
-  evidence.begin = {0, 0, static_cast<std::uint32_t>(evidence.answers.size())};
+  evidence.begin = {0, 0, static_cast<std::uint32_t>(evidence.free.size())};
   gather(*frame, *other);
   const std::vector<VolumetricState> states = statesOf(*frame, *other);
   for (std::size_t k = 0; k < states.size(); ++k) {
-    ASSERT_EQ(evidence.answers[k].free, states[k] == VolumetricState::kFree ? 1 : 0);
-    ASSERT_EQ(evidence.answers[k].hit, states[k] == VolumetricState::kHit ? 1 : 0);
+    ASSERT_EQ(evidence.free[k], states[k] == VolumetricState::kFree ? 1 : 0);
+    ASSERT_EQ(evidence.hit[k], states[k] == VolumetricState::kHit ? 1 : 0);
   }
 }
 

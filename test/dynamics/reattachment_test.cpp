@@ -60,12 +60,13 @@ class Reattachment : public ::testing::Test {
     const std::uint32_t i = addPoint(x);
     frame_.evidence->first.push_back(static_cast<std::uint32_t>(frame_.evidence->listed.size()));
     frame_.evidence->listed.push_back(i);
-    frame_.evidence->answers.push_back({free, hit});
+    frame_.evidence->free.push_back(free);
+    frame_.evidence->hit.push_back(hit);
     return i;
   }
 
   bool isTakenLoose(std::uint32_t i) {
-    const auto places = static_cast<std::uint32_t>(frame_.evidence->answers.size());
+    const auto places = static_cast<std::uint32_t>(frame_.evidence->free.size());
     frame_.evidence->begin.assign(frame_.seg.segments.size() + 1, 0);
     frame_.evidence->begin.push_back(places);
     frame_.removed.clear();

@@ -55,8 +55,12 @@ struct FrameEvidence {
   std::vector<std::uint32_t> first;
   std::vector<std::uint32_t> listed;
 
-  std::vector<PlaceEvidence> answers;        ///< for each place
+  // For each place, as PlaceEvidence has them.
+  std::vector<std::uint8_t> free;
+  std::vector<std::uint8_t> hit;
   std::vector<std::vector<PairVote>> votes;  ///< for each segment, in the order of gathering
+
+  PlaceEvidence answer(std::size_t place) const { return {free[place], hit[place]}; }
 };
 
 /// True from df.keep_delay on, either way in time: nearer frames hit what moves slowly, too. Frames
