@@ -78,7 +78,7 @@ void OfflineRunner::filter(ScanSource& source,
     progress.show(done);
   }
   taken.get();
-  take_all(pipeline.flush());
+  pipeline.flush(take);
   progress.finish();
 }
 

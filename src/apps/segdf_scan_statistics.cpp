@@ -57,11 +57,9 @@ segdf::apps::ScanStatistics describe(const std::string& drive, const Options& op
   segdf::Pipeline pipeline(segdf::sensorConfig(options.sensor), options.threads);
   segdf::apps::ScanStatistics statistics;
   std::vector<std::vector<std::uint32_t>> truth;
-  const auto take = [&](const std::vector<segdf::FrameResult>& frames) {
-    for (const segdf::FrameResult& frame : frames) {
-      statistics.add(frame, truth[frame.index]);
-      truth[frame.index] = {};
-    }
+  const auto take = [&](const segdf::FrameResult& frame) {
+    statistics.add(frame, truth[frame.index]);
+    truth[frame.index] = {};
   };
   std::size_t number = 0;
   while (auto scan = source.next()) {
@@ -70,9 +68,9 @@ segdf::apps::ScanStatistics describe(const std::string& drive, const Options& op
     if (options.scans != 0 && truth.size() == options.scans) break;
     truth.push_back(truthOf(drive, source.nameOf(i), scan->points.size()));
     dropOwnReturns(*scan, truth.back());
-    take(pipeline.process(std::move(*scan)));
+    for (const segdf::FrameResult& frame : pipeline.process(std::move(*scan))) take(frame);
   }
-  take(pipeline.flush());
+  pipeline.flush(take);
   return statistics;
 }
 

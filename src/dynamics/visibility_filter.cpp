@@ -28,13 +28,10 @@ bool VisibilityFilter::isSettled(const Window& window) const {
   return isOutOfReach(window, config_.df);
 }
 
-void VisibilityFilter::prepare(KeyFrame& frame) const {
-  frame.evidence = std::make_shared<FrameEvidence>(prepareEvidence(frame, config_.df));
-}
-
 void VisibilityFilter::observe(const Window& window) {
-  nameInstances(window);
   KeyFrame& newest = *window.back();
+  newest.evidence = std::make_shared<FrameEvidence>(prepareEvidence(newest, config_.df));
+  nameInstances(window);
   listPlaces(newest);
   if (window.size() < 2) return places_.forget();
   const KeyFrame& previous = *window[window.size() - 2];
@@ -86,10 +83,13 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
   splitMoved(frame, by_point, config_, grid_, ids_);
   keepStanding(frame, by_point, config_, grid_, ids_);
   removeEnclosed(frame, config_.df);
-  removeLoosePoints(frame, config_.df);
-  settleGround(frame, config_.df);
   if (remembers()) places_.note(frame);
   frame.judged = true;
+}
+
+void VisibilityFilter::settle(KeyFrame& frame) const {
+  removeLoosePoints(frame, config_.df);
+  settleGround(frame, config_.df);
 }
 
 void VisibilityFilter::judge(KeyFrame& frame) const {

@@ -31,7 +31,11 @@ std::vector<FrameResult> LiveFilter::process(Scan scan) {
 }
 
 std::vector<FrameResult> LiveFilter::flush() {
-  return pipeline_ ? mapped(pipeline_->flush()) : std::vector<FrameResult>{};
+  std::vector<FrameResult> frames;
+  if (pipeline_) {
+    pipeline_->flush([&frames](FrameResult frame) { frames.push_back(std::move(frame)); });
+  }
+  return mapped(std::move(frames));
 }
 
 void LiveFilter::restart() {

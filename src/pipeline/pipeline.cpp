@@ -43,38 +43,48 @@ class Pipeline::Impl {
         filter_(makeDynamicFilter(config_, ids_, std::max(1, threads / 2))) {}
 
   std::vector<FrameResult> process(Scan scan) {
-    const bool jump = jump_detector_.jumps(scan);
     std::vector<FrameResult> results;
-    if (jump) results = decideAll();
+    const Take append = [&results](FrameResult result) { results.push_back(std::move(result)); };
+    const bool jump = jump_detector_.jumps(scan);
+    if (jump) decideAll(append);
     Entry entry = makeEntry(std::move(scan), jump);
-    append(results, filtered());
+    takeFiltered(append);
     entries_.push_back(std::move(entry));
     filtering_ = std::async(when_, [this] { return filterNewest(); });
     return results;
   }
 
-  std::vector<FrameResult> flush() {
+  void flush(const Take& take) {
     jump_detector_ = JumpDetector(config_.input.max_jump);
-    return decideAll();
+    decideAll(take);
   }
 
  private:
-  static void append(std::vector<FrameResult>& results, std::vector<FrameResult> more) {
-    for (FrameResult& result : more) results.push_back(std::move(result));
-  }
-
   /// What the filter, which works beside the segmentation, says of the scan before.
-  std::vector<FrameResult> filtered() {
-    return filtering_.valid() ? filtering_.get() : std::vector<FrameResult>{};
+  void takeFiltered(const Take& take) {
+    if (!filtering_.valid()) return;
+    for (FrameResult& result : filtering_.get()) take(std::move(result));
   }
 
-  std::vector<FrameResult> decideAll() {
-    std::vector<FrameResult> results = filtered();
+  void decideAll(const Take& take) {
+    takeFiltered(take);
     const Window window = keyFrames();
     for (std::size_t i = 0; i < window.size(); ++i) filter_->decide(window, i);
     gate_ = ScanGate(config_.input);
-    append(results, release(true));
-    return results;
+    std::vector<Revocation> revoked = filter_->takeRevocations();
+    // Each is made ready while the one before is taken.
+    for (std::future<FrameResult> next = releasing(); next.valid();) {
+      FrameResult ready = next.get();
+      next = releasing();
+      ready.revoked = std::exchange(revoked, {});
+      take(std::move(ready));
+    }
+  }
+
+  /// The oldest entry, on its way out; not valid when there is none.
+  std::future<FrameResult> releasing() {
+    if (entries_.empty()) return {};
+    return std::async(when_, [this] { return releaseOldest(); });
   }
 
   /// A scan inside the window: a key frame, or the ready result of one that was turned away.
@@ -98,18 +108,14 @@ class Pipeline::Impl {
     return entry;
   }
 
-  /// Seg(P_k): segments, describes, classifies and prepares a scan. Touches no other frame.
+  /// Seg(P_k): segments, describes and classifies a scan. Touches no other frame.
   std::unique_ptr<KeyFrame> segmented(Scan scan, std::size_t index) const {
     auto frame = std::make_unique<KeyFrame>();
     frame->index = index;
     frame->scan = std::move(scan);
     frame->seg = segmentScan(frame->scan, config_, segmentation_threads_, frame->times);
-    {
-      const StageTimer timer(frame->times.classification);
-      describeAndClassify(*frame, config_.classes, segmentation_threads_);
-    }
-    const StageTimer timer(frame->times.dynamics);
-    filter_->prepare(*frame);
+    const StageTimer timer(frame->times.classification);
+    describeAndClassify(*frame, config_.classes, segmentation_threads_);
     return frame;
   }
 
@@ -122,7 +128,7 @@ class Pipeline::Impl {
       filter_->observe(window);
       forgetDetails(window);
     }
-    return release(false);
+    return releaseSettled();
   }
 
   /// Surfaces are asked for of the newest frame only, voxels of the two before it, too.
@@ -146,22 +152,29 @@ class Pipeline::Impl {
   }
 
   /// Hands out the oldest entries up to the first key frame that may still learn something.
-  std::vector<FrameResult> release(bool all) {
+  std::vector<FrameResult> releaseSettled() {
     std::vector<FrameResult> results;
     for (Window window = keyFrames(); !entries_.empty(); window = keyFrames()) {
-      Entry& oldest = entries_.front();
-      if (oldest.key) {
-        if (!all && !filter_->isSettled(window)) break;
+      if (entries_.front().key) {
+        if (!filter_->isSettled(window)) break;
         filter_->decide(window, 0);
       }
-      results.push_back(oldest.key ? mappedResult(std::move(*oldest.key))
-                                   : std::move(oldest.rejected));
-      results.back().index = oldest.index;
-      results.back().after_jump = oldest.after_jump;
-      entries_.pop_front();
+      results.push_back(releaseOldest());
     }
     if (!results.empty()) results.front().revoked = filter_->takeRevocations();
     return results;
+  }
+
+  /// Takes the oldest entry, which has been decided, out of the window.
+  FrameResult releaseOldest() {
+    Entry oldest = std::move(entries_.front());
+    entries_.pop_front();
+    if (oldest.key) filter_->settle(*oldest.key);
+    FrameResult result =
+        oldest.key ? mappedResult(std::move(*oldest.key)) : std::move(oldest.rejected);
+    result.index = oldest.index;
+    result.after_jump = oldest.after_jump;
+    return result;
   }
 
   Config config_;
@@ -185,6 +198,6 @@ Pipeline& Pipeline::operator=(Pipeline&&) noexcept = default;
 
 std::vector<FrameResult> Pipeline::process(Scan scan) { return impl_->process(std::move(scan)); }
 
-std::vector<FrameResult> Pipeline::flush() { return impl_->flush(); }
+void Pipeline::flush(const Take& take) { impl_->flush(take); }
 
 }  // namespace segdf

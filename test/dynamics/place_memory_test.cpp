@@ -9,6 +9,7 @@
 #include "segdf/pipeline/pipeline.hpp"
 
 #include "support/box_world.hpp"
+#include "support/flushed.hpp"
 
 namespace segdf {
 namespace {
@@ -37,7 +38,7 @@ class PlaceMemoryTest : public ::testing::Test {
       const auto stamp = static_cast<std::int64_t>(k + 1) * kTenth;
       collect(pipeline.process(street_.scan(0.0, 0.0, 0.0, stamp, 600)));
     }
-    collect(pipeline.flush());
+    collect(test::flushed(pipeline));
   }
 
   void collect(std::vector<FrameResult> results) {
@@ -133,7 +134,7 @@ TEST_F(PlaceMemoryTest, WhereNothingIsFoundAgainThePosesAreToBlame) {
     const auto stamp = static_cast<std::int64_t>(k + 1) * kTenth;
     collect(pipeline.process(street_.scan(0.0, 0.0, 0.0, stamp, 600)));
   }
-  collect(pipeline.flush());
+  collect(test::flushed(pipeline));
   EXPECT_TRUE(revocations_.empty());
 }
 

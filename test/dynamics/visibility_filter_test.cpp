@@ -8,6 +8,7 @@
 #include "segdf/pipeline/pipeline.hpp"
 
 #include "support/box_world.hpp"
+#include "support/flushed.hpp"
 
 namespace segdf {
 namespace {
@@ -31,7 +32,7 @@ class VisibilityFilterTest : public ::testing::Test {
       const auto stamp = static_cast<std::int64_t>(k + 1) * kTenth;
       collect(pipeline.process(world.scan(0.8 * static_cast<double>(k), 0.0, 0.0, stamp, 600)));
     }
-    collect(pipeline.flush());
+    collect(test::flushed(pipeline));
   }
 
   void collect(std::vector<FrameResult> results) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/box_world.hpp"
+#include "support/flushed.hpp"
 
 namespace segdf {
 namespace {
@@ -34,7 +35,7 @@ std::vector<FrameResult> run(Pipeline& pipeline, const std::vector<Scan>& drive)
     std::move(part.begin(), part.end(), std::back_inserter(results));
   };
   for (const Scan& scan : drive) collect(pipeline.process(scan));
-  collect(pipeline.flush());
+  collect(test::flushed(pipeline));
   return results;
 }
 
@@ -67,8 +68,8 @@ TEST(Pipeline, InLiteralModeAFrameLeavesWhenTheWindowOfTwoIsFull) {
   EXPECT_EQ(pipeline.process(drive[1]).size(), 0U);
   EXPECT_EQ(pipeline.process(drive[2]).size(), 0U);
   EXPECT_EQ(pipeline.process(drive[3]).size(), 1U);
-  EXPECT_EQ(pipeline.flush().size(), 3U);
-  EXPECT_TRUE(pipeline.flush().empty());
+  EXPECT_EQ(test::flushed(pipeline).size(), 3U);
+  EXPECT_TRUE(test::flushed(pipeline).empty());
 }
 
 TEST(Pipeline, AJumpOfThePoseDecidesTheWindowAndStartsAnew) {
@@ -90,6 +91,20 @@ TEST(Pipeline, AJumpOfThePoseDecidesTheWindowAndStartsAnew) {
   EXPECT_EQ(after[0].index, 5U);
 }
 
+TEST(Pipeline, WhatTheTakerThrowsComesOutOfFlush) {
+  for (const int threads : {1, 2}) {
+    Pipeline pipeline(Config{}, threads);
+    for (const Scan& scan : makeDrive(4)) pipeline.process(scan);
+    std::size_t taken = 0;
+    const auto take = [&taken](const FrameResult& frame) {
+      EXPECT_EQ(frame.index, taken);
+      if (++taken == 2) throw std::runtime_error("disk full");
+    };
+    EXPECT_THROW(pipeline.flush(take), std::runtime_error);
+    EXPECT_EQ(taken, 2U);
+  }
+}
+
 TEST(Pipeline, TheDelayIsNoLongerThanTheWindow) {
   const std::vector<Scan> drive = makeDrive(6);
   Config config;
@@ -98,7 +113,7 @@ TEST(Pipeline, TheDelayIsNoLongerThanTheWindow) {
   for (std::size_t k = 0; k < drive.size(); ++k) {
     EXPECT_EQ(pipeline.process(drive[k]).size(), k < 4 ? 0U : 1U);
   }
-  EXPECT_EQ(pipeline.flush().size(), 4U);
+  EXPECT_EQ(test::flushed(pipeline).size(), 4U);
 }
 
 TEST(Pipeline, RemovesTheCarThatDrivesAndKeepsTheOneThatIsParked) {

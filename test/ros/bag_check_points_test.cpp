@@ -13,6 +13,7 @@
 #include "segdf/ros/topics.hpp"
 
 #include "ros/bag_check_fixture.hpp"
+#include "support/flushed.hpp"
 
 namespace segdf {
 namespace {
@@ -42,7 +43,7 @@ TEST_F(BagCheck, JumpsAreThoseAtWhichThePipelineStartsAnew) {
       for (const FrameResult& frame : frames) restarts += frame.after_jump ? 1 : 0;
     };
     for (const Scan& scan : scans) count(pipeline.process(scan));
-    count(pipeline.flush());
+    count(test::flushed(pipeline));
     bag_ = StreetBag(scans, false);
     const std::string warnings = all(check().warnings);
     EXPECT_EQ(contains(warnings, "jumps of the pose"), restarts > 0) << step << " m\n" << warnings;

@@ -13,6 +13,8 @@
 #include "segdf/simulation/random.hpp"
 #include "segdf/simulation/simulator.hpp"
 
+#include "support/flushed.hpp"
+
 namespace segdf {
 namespace {
 
@@ -69,7 +71,7 @@ Scores scoreRules() {
     truth.push_back(std::move(simulated->truth));
     take(pipeline.process(std::move(simulated->scan)));
   }
-  take(pipeline.flush());
+  take(test::flushed(pipeline));
   return scores;
 }
 

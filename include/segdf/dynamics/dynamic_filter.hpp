@@ -23,17 +23,17 @@ class DynamicFilter {
   /// True when no further key frame can tell more about the oldest of the window: it may leave.
   virtual bool isSettled(const Window& window) const = 0;
 
-  /// What a segmented key frame brings to the comparison by itself. May run beside anything that
-  /// is done with other frames; comes before observe().
-  virtual void prepare(KeyFrame& frame) const = 0;
-
-  /// The newest key frame (back of the window) has been segmented, classified and prepared:
-  /// gives its segments their instance ids and gathers evidence.
+  /// The newest key frame (back of the window) has been segmented and classified: gives its
+  /// segments their instance ids and gathers evidence.
   virtual void observe(const Window& window) = 0;
 
-  /// The frame at `position` is about to leave, or no further frame will come: makes its verdicts
-  /// final. Does nothing when they are.
+  /// The frame at `position` is about to leave, or no further frame will come: makes the verdicts
+  /// on its instances final. Does nothing when they are.
   virtual void decide(const Window& window, std::size_t position) = 0;
+
+  /// Of a frame that has been decided and leaves: its points that are in no instance follow the
+  /// verdicts. May run beside anything that is done with other frames.
+  virtual void settle(KeyFrame& frame) const = 0;
 
   /// What observe() found out about frames that have left the window, since the last call.
   virtual std::vector<Revocation> takeRevocations() = 0;

@@ -24,9 +24,9 @@ class LiteralFilter : public DynamicFilter {
   LiteralFilter(const Config& config, IdSource& ids, int threads);
 
   bool isSettled(const Window& window) const override { return window.size() > 2; }
-  void prepare(KeyFrame& /*frame*/) const override {}
   void observe(const Window& window) override;
   void decide(const Window& window, std::size_t position) override;
+  void settle(KeyFrame& /*frame*/) const override {}
   std::vector<Revocation> takeRevocations() override { return {}; }
 
  private:

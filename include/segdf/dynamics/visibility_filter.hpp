@@ -21,9 +21,9 @@ class VisibilityFilter : public DynamicFilter {
   VisibilityFilter(const Config& config, IdSource& ids, int threads);
 
   bool isSettled(const Window& window) const override;
-  void prepare(KeyFrame& frame) const override;
   void observe(const Window& window) override;
   void decide(const Window& window, std::size_t position) override;
+  void settle(KeyFrame& frame) const override;
   std::vector<Revocation> takeRevocations() override { return places_.takeRevocations(); }
 
  private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace segdf {
 ///
 /// Scans go in by process(), in order of time; frames come out when they leave the sliding window
 /// of key frames, in the order in which they went in, each exactly once and with a label for every
-/// point. flush() returns what is still inside. The filter compares a scan while the next one is
+/// point. flush() hands out what is still inside. The filter compares a scan while the next one is
 /// segmented, in a thread of its own if there is more than one: a frame comes out one call after
 /// the scan that let it leave. The result is a function of scans and
 /// configuration: it does not depend on the number of threads, on the clock, or on how long the
@@ -37,9 +38,13 @@ class Pipeline {
   /// says why; it never throws for bad data.
   std::vector<FrameResult> process(Scan scan);
 
-  /// Decides and returns all frames still in the window, and forgets the past: the next scan starts
-  /// a new session, in which instance ids and frame numbers go on and time may start anew.
-  std::vector<FrameResult> flush();
+  using Take = std::function<void(FrameResult)>;
+
+  /// Decides all frames still in the window, hands them out one after the other, and forgets the
+  /// past: the next scan starts a new session, in which instance ids and frame numbers go on and
+  /// time may start anew. With more than one thread `take` works on a frame while the next one is
+  /// made ready. @throws what `take` throws; after that the pipeline is of no use
+  void flush(const Take& take);
 
  private:
   class Impl;
