@@ -41,7 +41,6 @@ std::vector<std::uint32_t> AreaIndex::pointsIn(const Eigen::AlignedBox2f& area) 
       if (area.contains(p.position().head<2>())) found.push_back(order_[k]);
     }
   }
-  std::sort(found.begin(), found.end());
   return found;
 }
 

@@ -160,14 +160,17 @@ bool TrackBook::isDynamic(const KeyFrame& frame, std::size_t segment) {
   return last.dynamic;
 }
 
-std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksIn(const Window& window) {
+std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& frame,
+                                                              const Window& window) {
   judged_.erase(judged_.begin(), judged_.lower_bound(window.front()->index));
   std::map<std::uint32_t, Track> tracks;
-  for (const KeyFrame* frame : window) {
-    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      Track& track = tracks[frame->instances[s].id];
-      ++track.members;
-      if (isDynamic(*frame, s)) track.proofs.push_back(proofOf(*frame, s));
+  for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) tracks[frame.instances[s].id];
+  for (const KeyFrame* other : window) {
+    for (std::size_t s = 0; s < other->evidence->votes.size(); ++s) {
+      const auto track = tracks.find(other->instances[s].id);
+      if (track == tracks.end()) continue;
+      ++track->second.members;
+      if (isDynamic(*other, s)) track->second.proofs.push_back(proofOf(*other, s));
     }
   }
   return tracks;
@@ -175,7 +178,7 @@ std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksIn(const Window& wind
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
-  const std::map<std::uint32_t, Track> tracks = tracksIn(window);
+  const std::map<std::uint32_t, Track> tracks = tracksOf(frame, window);
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
     const Track& track = tracks.at(instance.id);

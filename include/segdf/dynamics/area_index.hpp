@@ -17,7 +17,7 @@ class AreaIndex {
  public:
   AreaIndex(const std::vector<Point>& points, const std::vector<PointRole>& roles);
 
-  /// Points in the area (sensor frame, metres), borders included; ascending.
+  /// Points in the area (sensor frame, metres), borders included; cell by cell, ascending in each.
   std::vector<std::uint32_t> pointsIn(const Eigen::AlignedBox2f& area) const;
 
  private:

@@ -52,7 +52,8 @@ class TrackBook {
     bool dynamic = false;
   };
 
-  std::map<std::uint32_t, Track> tracksIn(const Window& window);
+  /// Of the ids that a frame has.
+  std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
   bool isDynamic(const KeyFrame& frame, std::size_t segment);
   /// Proofs of scans before the window's first.
   std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;

@@ -30,6 +30,7 @@ MapPoint toMapPoint(const Point& point, const Pose& map_T_sensor, const PointLab
 template <class Wanted>
 std::vector<MapPoint> mapPointsWhere(const FrameResult& frame, const Wanted& wanted) {
   std::vector<MapPoint> points;
+  points.reserve(frame.labels.size());
   for (std::size_t i = 0; i < frame.labels.size(); ++i) {
     if (!wanted(frame.labels[i].state)) continue;
     points.push_back(toMapPoint(frame.scan.points[i], frame.scan.pose, frame.labels[i]));
