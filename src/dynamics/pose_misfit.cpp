@@ -13,14 +13,16 @@ namespace segdf {
 
 namespace {
 
-constexpr std::size_t kSamples = 2000;
+constexpr std::size_t kLookedAt = 16000;  // points of a scan, evenly spread
+constexpr std::size_t kSamples = 500;     // of these
 constexpr std::size_t kMinSamples = 50;
 constexpr float kMaxRange = 30.0F;
 
 /// Object points of the frame that can be compared, thinned to about kSamples.
 std::vector<std::uint32_t> samplePoints(const KeyFrame& frame) {
   std::vector<std::uint32_t> usable;
-  for (std::size_t i = 0; i < frame.scan.points.size(); ++i) {
+  const std::size_t step = frame.scan.points.size() / kLookedAt + 1;
+  for (std::size_t i = 0; i < frame.scan.points.size(); i += step) {
     const bool has_plane =
         frame.seg.roles[i] == PointRole::kObject && frame.seg.surfaces[i].hasNormal();
     if (has_plane && frame.scan.points[i].position().norm() < kMaxRange) {

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kPointBytes = 4 * sizeof(float);
+constexpr std::size_t kPointsAtOnce = 4096;
 
 std::vector<fs::path> listScans(const fs::path& folder) {
   const fs::path velodyne = folder / "velodyne";
@@ -71,13 +72,19 @@ std::vector<Point> readPoints(const fs::path& file) {
         "scan " + file.string() + " has " + std::to_string(bytes) +
         " bytes, no multiple of 16 (float32 x y z intensity): it is truncated or no KITTI scan");
   }
-  std::vector<std::array<float, 4>> raw(bytes / kPointBytes);
   stream.seekg(0);
-  stream.read(reinterpret_cast<char*>(raw.data()), static_cast<std::streamsize>(bytes));
-  if (!stream) throw IoError("cannot read scan " + file.string() + " to its end");
   std::vector<Point> points;
-  points.reserve(raw.size());
-  for (const std::array<float, 4>& p : raw) points.push_back({p[0], p[1], p[2], p[3], 0.0F, -1});
+  points.reserve(bytes / kPointBytes);
+  std::array<std::array<float, 4>, kPointsAtOnce> raw;
+  while (points.size() < bytes / kPointBytes) {
+    const std::size_t count = std::min(kPointsAtOnce, bytes / kPointBytes - points.size());
+    stream.read(reinterpret_cast<char*>(raw.data()),
+                static_cast<std::streamsize>(count * kPointBytes));
+    if (!stream) throw IoError("cannot read scan " + file.string() + " to its end");
+    for (std::size_t k = 0; k < count; ++k) {
+      points.push_back({raw[k][0], raw[k][1], raw[k][2], raw[k][3], 0.0F, -1});
+    }
+  }
   return points;
 }
 
