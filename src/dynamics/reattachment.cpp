@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::uint8_t kFreeRatio = 2;
 constexpr float kNear = 2.0F;      // metres: about half a car, seen from one end
+constexpr float kBeside = 1.0F;    // metres
 constexpr double kEnclosed = 0.5;  // share of an instance inside of another
 constexpr std::size_t kMinUpper = 3;
 
@@ -118,6 +119,30 @@ class Standing {
   Footprint footprint_;
 };
 
+/// Which points of no instance are removed.
+class LooseRule {
+ public:
+  LooseRule(const KeyFrame& frame, const DynamicConfig& config)
+      : frame_(frame), config_(config), near_(frame, kNear), beside_(frame, kBeside) {}
+
+  bool takes(std::uint32_t i, const PlaceEvidence& e) const {
+    const Eigen::Vector3f place = frame_.scan.points[i].position();
+    const auto height = static_cast<double>(frame_.seg.height[i]);
+    const bool doubtful = e.free >= e.hit;
+    if (doubtful && height >= config_.foot_bottom && beside_.contain(place)) return true;
+    // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
+    if (e.free == 0 || height < config_.foot_height) return false;
+    const bool moved = e.free >= config_.loose_votes && e.free >= kFreeRatio * e.hit;
+    return moved || (doubtful && near_.contain(place));
+  }
+
+ private:
+  const KeyFrame& frame_;
+  const DynamicConfig& config_;
+  MovedPlaces near_;
+  MovedPlaces beside_;
+};
+
 void releaseGround(KeyFrame& frame, Segment& segment, const Standing& standing) {
   std::vector<std::uint32_t> object;
   for (std::uint32_t i : segment.points) {
@@ -155,20 +180,12 @@ void removeEnclosed(KeyFrame& frame, const DynamicConfig& config) {
 }
 
 void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config) {
-  const MovedPlaces near(frame, kNear);
+  const LooseRule rule(frame, config);
   const FrameEvidence& evidence = *frame.evidence;
   const std::size_t loose = evidence.begin.size() - 2;
-  const auto least = static_cast<std::uint8_t>(config.loose_votes);
   for (std::uint32_t k = evidence.begin[loose]; k < evidence.begin[loose + 1]; ++k) {
-    const PlaceEvidence e = evidence.answer(k);
     const std::uint32_t i = evidence.listed[evidence.first[k]];
-    // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
-    if (frame.seg.height[i] < static_cast<float>(config.foot_height)) continue;
-    const bool moved = e.free >= least && e.free >= kFreeRatio * e.hit;
-    const bool may_have_moved = e.free > 0 && e.free >= e.hit;
-    if (moved || (may_have_moved && near.contain(frame.scan.points[i].position()))) {
-      frame.removed.push_back(i);
-    }
+    if (rule.takes(i, evidence.answer(k))) frame.removed.push_back(i);
   }
 }
 

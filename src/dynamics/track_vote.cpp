@@ -55,15 +55,20 @@ bool isOutvoted(std::size_t present_members,
          static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
 
-/// Seconds over which what may be a part of the segment was proven to move; of what by its class
-/// cannot move (a hedge before which somebody walks), what has its size.
-double secondsOfMotion(const std::vector<Proof>& proofs, const Segment& segment) {
-  const bool parts = isTested(segment.object_class);
+/// True when the proof may be one of the segment's object: a part of it, or, where hardly anybody
+/// found the segment again, what it is a part of; of what by its class cannot move (a hedge before
+/// which somebody walks), what has its size.
+bool mayBeOf(const Segment& segment, const Proof& proof, bool parked) {
+  const Eigen::Vector3f& size = segment.box.size;
+  if (!isTested(segment.object_class)) return isSameSize(proof.size, size);
+  return isPartOf(proof.size, size) || (!parked && isPartOf(size, proof.size));
+}
+
+/// Seconds over which the segment's object was proven to move.
+double secondsOfMotion(const std::vector<Proof>& proofs, const Segment& segment, bool parked) {
   double seconds = 0.0;
   for (const Proof& proof : proofs) {
-    const bool counts =
-        parts ? isPartOf(proof.size, segment.box.size) : isSameSize(proof.size, segment.box.size);
-    if (counts) seconds += proof.seconds;
+    if (mayBeOf(segment, proof, parked)) seconds += proof.seconds;
   }
   return seconds;
 }
@@ -127,15 +132,14 @@ bool TrackBook::moves(const KeyFrame& frame,
                       std::size_t s,
                       const std::vector<Proof>& past,
                       const std::vector<Proof>& present) const {
-  const Eigen::Vector3f& size = frame.seg.segments[s].box.size;
-  if (!isParkedHere(frame, s, config_)) {
-    const auto alike = [&size](const Proof& proof) { return isSameSize(proof.size, size); };
-    return std::count_if(present.begin(), present.end(), alike) >= kProofs;
-  }
-  if (config_.semi_static != SemiStatic::kRemove) return false;
+  const Segment& segment = frame.seg.segments[s];
+  const auto alike = [&](const Proof& proof) { return isSameSize(proof.size, segment.box.size); };
+  const bool parked = isParkedHere(frame, s, config_);
+  if (!parked && std::count_if(present.begin(), present.end(), alike) >= kProofs) return true;
+  if (parked && config_.semi_static != SemiStatic::kRemove) return false;
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
-  return secondsOfMotion(proofs, frame.seg.segments[s]) >= kStrongSeconds &&
+  return secondsOfMotion(proofs, segment, parked) >= kStrongSeconds &&
          wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_);
 }
 

@@ -115,11 +115,18 @@ TEST_F(Reattachment, WhatReachesInWithItsSmallerPartStays) {
 }
 
 TEST_F(Reattachment, ADoubtfulPointNearWhatMovedGoes) {
-  EXPECT_TRUE(isTakenLoose(addLoose({10.0F, 4.8F, 1.0F}, 1, 0))) << "the far side, through glass";
-  EXPECT_TRUE(isTakenLoose(addLoose({10.0F, 4.8F, 1.0F}, 2, 2)));
-  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 4.8F, 1.0F}, 2, 3)));
-  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 4.8F, 1.0F}, 0, 0))) << "nobody looked";
-  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 4.8F, 0.1F}, 1, 0))) << "a kerb";
+  EXPECT_TRUE(isTakenLoose(addLoose({10.0F, 5.5F, 1.0F}, 1, 0))) << "the far side, through glass";
+  EXPECT_TRUE(isTakenLoose(addLoose({10.0F, 5.5F, 1.0F}, 2, 2)));
+  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 5.5F, 1.0F}, 2, 3)));
+  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 5.5F, 1.0F}, 0, 0))) << "nobody looked";
+  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 5.5F, 0.1F}, 1, 0))) << "a kerb";
+}
+
+TEST_F(Reattachment, BesideItSoDoesWhatNobodyLookedAtAndWhatIsLow) {
+  EXPECT_TRUE(isTakenLoose(addLoose({10.0F, 4.8F, 1.0F}, 0, 0))) << "others saw its near side";
+  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 4.8F, 1.0F}, 0, 1)));
+  EXPECT_TRUE(isTakenLoose(addLoose({10.0F, 4.8F, 0.1F}, 0, 0))) << "a wheel";
+  EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 4.8F, 0.05F}, 0, 0))) << "the road";
 }
 
 TEST_F(Reattachment, FarFromWhatMovedAPointNeedsMore) {

@@ -157,6 +157,26 @@ TEST_F(TrackVote, WhoWalksBeforeAHedgeDoesNotTakeItAlong) {
   EXPECT_TRUE(goes());
 }
 
+// The rear of a car that drives off, at the end of a drive.
+TEST_F(TrackVote, APartOfWhatMovedGoesWhenHardlyAnyFoundItAgain) {
+  const Eigen::Vector3f rear(0.4F, 0.3F, 0.6F);
+  for (int k = 0; k < 7; ++k) addMoving(1.0 * k, 0.1);
+  add(7.0, rear, 0.1);
+  EXPECT_FALSE(goes()) << "0.7 s of motion";
+  addMoving(8.0, 0.1);
+  add(9.0, rear, 0.1);
+  EXPECT_TRUE(goes());
+  addStanding(9.0, 0.1).seg.segments[0].box.size = rear;
+  EXPECT_FALSE(goes()) << "a bollard that the car has driven by";
+}
+
+TEST_F(TrackVote, APartOfWhatMovedStaysWhereThatNeverWent) {
+  const Eigen::Vector3f rear(0.4F, 0.3F, 0.6F);
+  for (int k = 0; k < 20; ++k) addMoving(8.0, 0.1);
+  add(8.9, rear, 0.1);
+  EXPECT_FALSE(goes());
+}
+
 TEST_F(TrackVote, AtTheEndOfADriveNoProofCountsTwice) {
   for (int k = 0; k < 4; ++k) addMoving(2.0 * k, 0.1);
   addStanding(8.0, 0.1);

@@ -14,7 +14,8 @@ void removeEnclosed(KeyFrame& frame, const DynamicConfig& config);
 /// Removes object points of no instance that at least df.loose_votes others saw through, twice as
 /// often as they found them again, unless they lie lower than df.foot_height (method.md 6.12, 7).
 /// Within 2 m of a dynamic instance, of which they may be the far side, once is enough, and as
-/// often as they were found again.
+/// often as they were found again; within 1 m so it is from df.foot_bottom up, and for what nobody
+/// saw anything of.
 void removeLoosePoints(KeyFrame& frame, const DynamicConfig& config);
 
 /// Settles what lies low around removed instances (method.md 6.7): ground points, and points of no
