@@ -126,6 +126,20 @@ bool standsApart(const KeyFrame& frame,
   return seconds >= kElsewhereSeconds || (beyond >= kFoundBeyond && !seen_through);
 }
 
+/// True when the track moved only later than the segment's scan, and no scan since it did saw
+/// through the segment: what leaves opens its place. What drives by closely takes an id along, too.
+bool staysBehind(const KeyFrame& frame,
+                 std::size_t segment,
+                 const std::vector<Proof>& proofs,
+                 const DynamicConfig& config) {
+  const std::size_t first = proofs.front().scan;
+  const std::vector<PairVote>& votes = frame.evidence->votes[segment];
+  return first > frame.index && std::none_of(votes.begin(), votes.end(), [&](const PairVote& vote) {
+           return vote.informative && vote.scan >= first &&
+                  static_cast<double>(vote.freeShare()) >= config.f_dyn;
+         });
+}
+
 }  // namespace
 
 bool TrackBook::moves(const KeyFrame& frame,
@@ -140,7 +154,8 @@ bool TrackBook::moves(const KeyFrame& frame,
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
   return secondsOfMotion(proofs, segment, parked) >= kStrongSeconds &&
-         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_);
+         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_) &&
+         !(parked && staysBehind(frame, s, proofs, config_));
 }
 
 std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
