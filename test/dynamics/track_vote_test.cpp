@@ -146,6 +146,26 @@ TEST_F(TrackVote, NotIfOneSawThroughItOnceTheTrackWasGone) {
   EXPECT_TRUE(leaving.instances[0].dynamic) << "another car stands in its place now";
 }
 
+// A car passes one that is parked, hides it until the drive ends, and takes its id along.
+TEST_F(TrackVote, WhatNobodySawLeaveStays) {
+  KeyFrame& parked = addStanding(0.0, 0.1, 0);
+  for (int k = 0; k < 9; ++k) addMoving(3.0 + k, 0.1);
+  TrackBook(config_).propagate(window_, 0);
+  EXPECT_FALSE(parked.instances[0].dynamic);
+  parked.evidence->votes[0].push_back({3, 0.3F, kPoints, 0, true});
+  TrackBook(config_).propagate(window_, 0);
+  EXPECT_TRUE(parked.instances[0].dynamic) << "it drove off";
+}
+
+TEST_F(TrackVote, WhoSawThroughItBeforeItsTrackMovedDidNotSeeItLeave) {
+  addStanding(0.0, 0.1, 0);
+  KeyFrame& parked = addStanding(0.0, 0.1, 0);
+  parked.evidence->votes[0].push_back({0, -0.1F, kPoints, 0, true});
+  for (int k = 0; k < 9; ++k) addMoving(3.0 + k, 0.1);
+  TrackBook(config_).propagate(window_, 1);
+  EXPECT_FALSE(parked.instances[0].dynamic);
+}
+
 TEST_F(TrackVote, WhoWalksBeforeAHedgeDoesNotTakeItAlong) {
   const Eigen::Vector3f walker(0.6F, 0.5F, 1.7F);
   for (int k = 0; k < 20; ++k) addMoving(1.0 * k, 0.1, walker);

@@ -16,7 +16,8 @@ namespace segdf {
 /// 0.75 s, in the past too, by members of which it may be a part, or which may be parts of it, and
 /// away from here. What was itself found again over and over goes only when df.semi_static says
 /// that what moved at any time goes (a car that stops at lights), and its track moved for 0.75 s
-/// so, and is no larger; neither goes where it was found again by frames in which the track moved
+/// so, is no larger, and either moved before, or some scan saw through the segment since: what
+/// leaves opens its place. Nothing goes where it was found again by frames in which the track moved
 /// elsewhere, or on the other side of these in time: then another object stands here, and the id
 /// has passed on to it. What the votes make dynamic is restored when hardly any of many members of
 /// its track are (compensation). Memory: tracks that have left the window are forgotten.
