@@ -167,26 +167,6 @@ void assignVoxels(const CurvedVoxels& voxels,
   }
 }
 
-/// Makes noise of clusters with fewer points, and closes the gaps in their numbers.
-void dropSmall(const CurvedVoxels& voxels,
-               std::uint32_t n_noise,
-               std::size_t count,
-               Clusters& clusters) {
-  std::vector<std::uint32_t> size(count, 0);
-  for (std::size_t v = 0; v < voxels.size(); ++v) {
-    const std::int32_t c = clusters.of_voxel[v];
-    if (c != Clusters::kNoise) size[static_cast<std::size_t>(c)] += voxels.count(v);
-  }
-  std::vector<std::int32_t> number(count, Clusters::kNoise);
-  clusters.count = 0;
-  for (std::size_t c = 0; c < count; ++c) {
-    if (size[c] >= n_noise) number[c] = static_cast<std::int32_t>(clusters.count++);
-  }
-  for (std::int32_t& c : clusters.of_voxel) {
-    if (c != Clusters::kNoise) c = number[static_cast<std::size_t>(c)];
-  }
-}
-
 class Carver {
  public:
   Carver(const std::vector<Point>& points,
@@ -337,7 +317,8 @@ void carveClusters(const std::vector<Point>& points,
   }
   if (count == clusters.count) return;
   assignVoxels(voxels, cluster, clusters);
-  dropSmall(voxels, static_cast<std::uint32_t>(config.cvi.n_noise), count, clusters);
+  clusters.count = count;
+  dropSmallClusters(voxels, static_cast<std::uint32_t>(config.cvi.n_noise), clusters);
 }
 
 }  // namespace segdf

@@ -116,6 +116,22 @@ std::vector<std::int32_t> clusterOfPoints(std::size_t points,
   return cluster;
 }
 
+void dropSmallClusters(const CurvedVoxels& voxels, std::uint32_t n_noise, Clusters& clusters) {
+  std::vector<std::uint32_t> size(clusters.count, 0);
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    const std::int32_t c = clusters.of_voxel[v];
+    if (c != Clusters::kNoise) size[static_cast<std::size_t>(c)] += voxels.count(v);
+  }
+  std::vector<std::int32_t> number(clusters.count, Clusters::kNoise);
+  clusters.count = 0;
+  for (std::size_t c = 0; c < number.size(); ++c) {
+    if (size[c] >= n_noise) number[c] = static_cast<std::int32_t>(clusters.count++);
+  }
+  for (std::int32_t& c : clusters.of_voxel) {
+    if (c != Clusters::kNoise) c = number[static_cast<std::size_t>(c)];
+  }
+}
+
 bool fitsMovableObject(const Eigen::AlignedBox3f& bounds, const CurvedVoxelConfig& config) {
   const Eigen::Vector3d size = bounds.sizes().cast<double>();
   return std::hypot(size.x(), size.y()) <= config.merge_diagonal &&

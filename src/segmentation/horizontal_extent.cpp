@@ -38,6 +38,13 @@ void HorizontalExtent::add(float x, float y) {
   }
 }
 
+void HorizontalExtent::add(const HorizontalExtent& other) {
+  for (std::size_t k = 0; k < kDirections; ++k) {
+    low_[k] = std::min(low_[k], other.low_[k]);
+    high_[k] = std::max(high_[k], other.high_[k]);
+  }
+}
+
 bool HorizontalExtent::contains(float x, float y, float margin) const {
   for (std::size_t k = 0; k < kDirections; ++k) {
     const float along = alongAxis(k, x, y);

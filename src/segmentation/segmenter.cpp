@@ -9,9 +9,12 @@
 #include "segdf/core/parallel.hpp"
 #include "segdf/core/stage_timer.hpp"
 #include "segdf/segmentation/carving.hpp"
+#include "segdf/segmentation/cluster_shape.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/intensity.hpp"
 #include "segdf/segmentation/object_feet.hpp"
+#include "segdf/segmentation/vehicle_feet.hpp"
+#include "segdf/segmentation/vehicle_fragments.hpp"
 
 namespace segdf {
 
@@ -79,6 +82,19 @@ std::vector<KeyedPoint> objectKeys(const Scan& scan,
   return items;
 }
 
+/// Gives vehicles what belongs to them, and the ground under them to the ground.
+void completeVehicles(const Scan& scan,
+                      const RangeImage& image,
+                      const Config& config,
+                      Segmentation& seg) {
+  if (config.vehicle.length <= 0.0) return;
+  const std::vector<ClusterShape> shapes =
+      shapesOf(scan.points, image, seg.height, config.vehicle, seg.voxels, seg.clusters);
+  joinFragments(scan.points, image, seg.height, config.vehicle, seg.voxels, shapes, seg.clusters);
+  releaseGroundUnder(scan.points, config.vehicle, shapes, seg.roles, seg.voxels, seg.clusters);
+  dropSmallClusters(seg.voxels, static_cast<std::uint32_t>(config.cvi.n_noise), seg.clusters);
+}
+
 /// Visiting points in the order of the scan leaves the indices of each segment sorted.
 std::vector<Segment> collectSegments(const Scan& scan,
                                      const CurvedVoxels& voxels,
@@ -137,6 +153,7 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
       buildCurvedVoxels(objectKeys(scan, seg.roles, image->turns(), grid, threads), intensity);
   seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
   carveClusters(scan.points, *image, seg.height, config, seg.voxels, seg.clusters);
+  completeVehicles(scan, *image, config, seg);
   seg.segments = collectSegments(scan, seg.voxels, seg.clusters);
   return seg;
 }

@@ -8,6 +8,7 @@
 #include "segdf/core/carve_config.hpp"
 #include "segdf/core/dynamic_config.hpp"
 #include "segdf/core/enum_name.hpp"
+#include "segdf/core/vehicle_config.hpp"
 
 /// Parameters of every stage. Each struct lists its parameters once, in `visit`: name, bounds, unit
 /// and meaning. Reading YAML or ROS parameters, checking bounds, and writing the effective
@@ -304,6 +305,7 @@ struct Config {
   CurvedVoxelConfig cvi;
   CarveConfig person = CarveConfig::person();
   CarveConfig bicycle = CarveConfig::bicycle();
+  VehicleConfig vehicle;
   ClassConfig classes;
   DynamicConfig df;
   MapConfig map;
@@ -317,6 +319,7 @@ struct Config {
     v.section("cvi", s.cvi, "curved voxels (7) and clustering, Algorithm 1");
     v.section("carve_person", s.person, "persons carved off the clusters that hold them");
     v.section("carve_bicycle", s.bicycle, "bicycles likewise");
+    v.section("vehicle", s.vehicle, "what belongs to clusters as large as a car");
     v.section("class", s.classes, "geometric classification, draft III-C");
     v.section("df", s.df, "dynamic filter, Algorithm 2");
     v.section("map", s.map, "static instance map");

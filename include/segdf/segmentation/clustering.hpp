@@ -37,6 +37,21 @@ std::vector<std::int32_t> clusterOfPoints(std::size_t points,
                                           const CurvedVoxels& voxels,
                                           const Clusters& clusters);
 
+/// Calls visit(cluster, point) for every point that is in a cluster, in the order of the voxels.
+template <class Visit>
+void forEachMember(const CurvedVoxels& voxels, const Clusters& clusters, const Visit& visit) {
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (clusters.of_voxel[v] == Clusters::kNoise) continue;
+    const auto cluster = static_cast<std::size_t>(clusters.of_voxel[v]);
+    for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
+      visit(cluster, voxels.points[k]);
+    }
+  }
+}
+
+/// Makes noise of clusters with fewer points, and closes the gaps in their numbers.
+void dropSmallClusters(const CurvedVoxels& voxels, std::uint32_t n_noise, Clusters& clusters);
+
 /// True iff a box is no larger than one movable object (condition s3 of method.md 4.5). Metres.
 bool fitsMovableObject(const Eigen::AlignedBox3f& bounds, const CurvedVoxelConfig& config);
 

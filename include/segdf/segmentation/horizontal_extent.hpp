@@ -13,6 +13,8 @@ class HorizontalExtent {
   HorizontalExtent();
 
   void add(float x, float y);
+  /// Adds all points of another one.
+  void add(const HorizontalExtent& other);
   /// True when the point is no farther out than `margin` metres in any of the directions.
   bool contains(float x, float y, float margin) const;
   /// Greatest extent, metres.

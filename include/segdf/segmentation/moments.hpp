@@ -23,6 +23,17 @@ struct Moments {
     yz += y * z;
     zz += z * z;
   }
+  /// Adds offsets from the same point.
+  void add(const Moments& other) {
+    count += other.count;
+    sum += other.sum;
+    xx += other.xx;
+    xy += other.xy;
+    xz += other.xz;
+    yy += other.yy;
+    yz += other.yz;
+    zz += other.zz;
+  }
   /// Mean offset; there must be a point.
   Eigen::Vector3d mean() const { return sum / count; }
   /// Population covariance; there must be a point.
