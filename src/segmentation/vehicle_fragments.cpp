@@ -26,7 +26,10 @@ class Fragments {
         columns_(image.columns()),
         beside_(static_cast<std::int32_t>(std::lround(config.beside / 360.0 * image.columns()))) {
     for (std::size_t c = 0; c < shapes.size(); ++c) {
-      if (mayBeVehicle(shapes[c], config)) vehicles_.push_back(c);
+      if (mayBeVehicle(shapes[c], config) &&
+          static_cast<double>(shapes[c].extent.length()) >= config.owner_length) {
+        vehicles_.push_back(c);
+      }
     }
   }
 

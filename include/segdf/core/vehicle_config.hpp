@@ -10,6 +10,7 @@ struct VehicleConfig {
   double width = 2.6;
   double top_min = 0.8;
   double top_max = 3.5;
+  double owner_length = 1.2;
   double behind = 1.5;
   double beside = 0.5;
   double fragment = 0.25;
@@ -25,8 +26,9 @@ struct VehicleConfig {
     v.number("width", s.width, 0.0, 5.0, "m", "... and this wide ...");
     v.number("top_min", s.top_min, 0.0, 5.0, "m", "... whose top over ground is from this ...");
     v.number("top_max", s.top_max, 0.0, 10.0, "m", "... to this: vehicles may be so large");
-    v.number("behind", s.behind, 0.0, 5.0, "m",
-             "fragments that lie up to so far behind one belong to it ...");
+    v.number("owner_length", s.owner_length, 0.0, 20.0, "m",
+             "one at least this long, which no person is, owns fragments ...");
+    v.number("behind", s.behind, 0.0, 5.0, "m", "... that lie up to so far behind it ...");
     v.number("beside", s.beside, 0.0, 5.0, "deg", "... and up to so far beside it");
     v.number("fragment", s.fragment, 0.0, 1.0, "",
              "a cluster is a fragment up to this share of the other's points ...");
