@@ -86,12 +86,13 @@ std::vector<KeyedPoint> objectKeys(const Scan& scan,
 void completeVehicles(const Scan& scan,
                       const RangeImage& image,
                       const Config& config,
+                      const CurvedGrid& grid,
                       Segmentation& seg) {
   if (config.vehicle.length <= 0.0) return;
   const std::vector<ClusterShape> shapes =
       shapesOf(scan.points, image, seg.height, config.vehicle, seg.voxels, seg.clusters);
   joinFragments(scan.points, image, seg.height, config.vehicle, seg.voxels, shapes, seg.clusters);
-  releaseGroundUnder(scan.points, config.vehicle, shapes, seg.roles, seg.voxels, seg.clusters);
+  settleFeet(scan.points, config.vehicle, grid, shapes, seg.roles, seg.voxels, seg.clusters);
   dropSmallClusters(seg.voxels, static_cast<std::uint32_t>(config.cvi.n_noise), seg.clusters);
 }
 
@@ -153,7 +154,7 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
       buildCurvedVoxels(objectKeys(scan, seg.roles, image->turns(), grid, threads), intensity);
   seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
   carveClusters(scan.points, *image, seg.height, config, seg.voxels, seg.clusters);
-  completeVehicles(scan, *image, config, seg);
+  completeVehicles(scan, *image, config, grid, seg);
   seg.segments = collectSegments(scan, seg.voxels, seg.clusters);
   return seg;
 }

@@ -26,10 +26,7 @@ class Fragments {
         columns_(image.columns()),
         beside_(static_cast<std::int32_t>(std::lround(config.beside / 360.0 * image.columns()))) {
     for (std::size_t c = 0; c < shapes.size(); ++c) {
-      if (mayBeVehicle(shapes[c], config) &&
-          static_cast<double>(shapes[c].extent.length()) >= config.owner_length) {
-        vehicles_.push_back(c);
-      }
+      if (mayBeVehicle(shapes[c], config)) vehicles_.push_back(c);
     }
   }
 
@@ -58,7 +55,8 @@ class Fragments {
     float distance = std::numeric_limits<float>::infinity();
     for (std::size_t c : vehicles_) {
       const ClusterShape& vehicle = shapes_[c];
-      if (!may_own(vehicle) || !hides(vehicle, fragment) || !fitTogether(vehicle, fragment)) continue;
+      if (!may_own(vehicle) || !hides(vehicle, fragment) || !fitTogether(vehicle, fragment))
+        continue;
       const float away = vehicle.area.exteriorDistance(fragment.area);
       if (away >= distance) continue;
       distance = away;

@@ -10,14 +10,14 @@ struct VehicleConfig {
   double width = 2.6;
   double top_min = 0.8;
   double top_max = 3.5;
-  double owner_length = 1.2;
   double behind = 1.5;
   double beside = 0.5;
   double fragment = 0.25;
-  double fragment_height = 0.8;
+  double fragment_height = 0.5;
   double foot = 0.02;
-  double foot_share = 0.15;
+  double foot_share = 0.2;
   double foot_depth = 0.1;
+  double foot_rise = 0.12;
 
   template <class Self, class Visitor>
   static void visit(Self& s, Visitor& v) {
@@ -26,9 +26,8 @@ struct VehicleConfig {
     v.number("width", s.width, 0.0, 5.0, "m", "... and this wide ...");
     v.number("top_min", s.top_min, 0.0, 5.0, "m", "... whose top over ground is from this ...");
     v.number("top_max", s.top_max, 0.0, 10.0, "m", "... to this: vehicles may be so large");
-    v.number("owner_length", s.owner_length, 0.0, 20.0, "m",
-             "one at least this long, which no person is, owns fragments ...");
-    v.number("behind", s.behind, 0.0, 5.0, "m", "... that lie up to so far behind it ...");
+    v.number("behind", s.behind, 0.0, 5.0, "m",
+             "fragments that lie up to so far behind one belong to it ...");
     v.number("beside", s.beside, 0.0, 5.0, "deg", "... and up to so far beside it");
     v.number("fragment", s.fragment, 0.0, 1.0, "",
              "a cluster is a fragment up to this share of the other's points ...");
@@ -38,6 +37,8 @@ struct VehicleConfig {
     v.number("foot_share", s.foot_share, 0.0, 1.0, "", "... they are a greater share of it ...");
     v.number("foot_depth", s.foot_depth, 0.0, 5.0, "m",
              "... or a hundredth of it lies lower under that plane than this");
+    v.number("foot_rise", s.foot_rise, 0.0, 5.0, "m",
+             "ground points in the footprint of one that are higher over that plane belong to it");
   }
 };
 

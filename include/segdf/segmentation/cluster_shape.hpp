@@ -22,9 +22,9 @@ struct ClusterShape {
   std::size_t points = 0;
   Eigen::AlignedBox2f area;
   HorizontalExtent extent;
-  float bottom = std::numeric_limits<float>::infinity();    ///< over ground
-  float top = -std::numeric_limits<float>::infinity();      ///< over ground
-  float nearest = std::numeric_limits<float>::infinity();   ///< horizontal distance
+  float bottom = std::numeric_limits<float>::infinity();     ///< over ground
+  float top = -std::numeric_limits<float>::infinity();       ///< over ground
+  float nearest = std::numeric_limits<float>::infinity();    ///< horizontal distance
   float farthest = -std::numeric_limits<float>::infinity();  ///< horizontal distance
   std::int32_t column = RangeImage::kNone;  ///< of the first point, from which the next two count
   std::int32_t left = 0;                    ///< not above 0
