@@ -37,9 +37,22 @@ void GroundCells::add(const Point& p, std::uint32_t point) {
   to.points.push_back(point);
 }
 
-std::optional<GroundPlane> planeIn(const GroundCells& cells, const Eigen::AlignedBox2f& area) {
+std::optional<GroundPlane> planeAround(const std::vector<Point>& points,
+                                       const GroundCells& cells,
+                                       const Eigen::AlignedBox2f& area,
+                                       const Eigen::AlignedBox2f& hole) {
   Moments sum;
   cells.forEachCell(area, [&](const GroundCell& cell) { sum.add(cell.moments); });
+  Moments inside;
+  cells.forEachCell(hole, [&](const GroundCell& cell) {
+    for (std::uint32_t i : cell.points) {
+      const Eigen::Vector3f p = points[i].position();
+      if (!hole.contains(p.head<2>())) continue;
+      inside.add(static_cast<double>(p.x()), static_cast<double>(p.y()),
+                 static_cast<double>(p.z()));
+    }
+  });
+  sum.subtract(inside);
   if (sum.count < kMinPoints) return std::nullopt;
   const Eigen::Vector3d mean = sum.mean();
   const Eigen::Matrix3d covariance = sum.covariance();

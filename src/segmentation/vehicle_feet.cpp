@@ -46,7 +46,8 @@ class Feet {
     }
     for (std::size_t c = 0; c < shapes.size(); ++c) {
       if (mayBeVehicle(shapes[c], config)) {
-        standing_[c].plane = planeIn(cells_, grown(shapes[c].area, kReach));
+        standing_[c].plane = planeAround(points, cells_, grown(shapes[c].area, kReach),
+                                         grown(shapes[c].area, kMargin));
       }
     }
   }

@@ -19,15 +19,15 @@ struct Count {
 };
 
 struct Counts {
-  Count standing;  ///< points on boxes
-  Count floor;     ///< points on the ground
+  Count standing;  ///< points on boxes, from where they can be told from ground
+  Count floor;     ///< points on the ground or no higher
 };
 
 Counts count(const Scan& scan, const std::vector<PointRole>& roles) {
   Counts counts;
   for (std::size_t i = 0; i < roles.size(); ++i) {
     const double z = (scan.pose * scan.points[i].position().cast<double>()).z();
-    Count& kind = z > 1e-3 ? counts.standing : counts.floor;
+    Count& kind = z > VehicleConfig{}.foot + 1e-3 ? counts.standing : counts.floor;
     ++kind.all;
     kind.ground += roles[i] == PointRole::kGround ? 1 : 0;
   }

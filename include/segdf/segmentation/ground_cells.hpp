@@ -76,8 +76,12 @@ class GroundCells {
   std::vector<GroundCell> cells_;
 };
 
-/// Through the ground in the cells that an area touches, by least squares in height; none where
-/// there is too little ground.
-std::optional<GroundPlane> planeIn(const GroundCells& cells, const Eigen::AlignedBox2f& area);
+/// Through the ground in the cells that an area touches, but not in a hole in it, by least squares
+/// in height; none where there is too little ground.
+/// @param points of the scan
+std::optional<GroundPlane> planeAround(const std::vector<Point>& points,
+                                       const GroundCells& cells,
+                                       const Eigen::AlignedBox2f& area,
+                                       const Eigen::AlignedBox2f& hole);
 
 }  // namespace segdf

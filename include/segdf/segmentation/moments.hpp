@@ -34,6 +34,17 @@ struct Moments {
     yz += other.yz;
     zz += other.zz;
   }
+  /// Takes away offsets from the same point that were added.
+  void subtract(const Moments& other) {
+    count -= other.count;
+    sum -= other.sum;
+    xx -= other.xx;
+    xy -= other.xy;
+    xz -= other.xz;
+    yy -= other.yy;
+    yz -= other.yz;
+    zz -= other.zz;
+  }
   /// Mean offset; there must be a point.
   Eigen::Vector3d mean() const { return sum / count; }
   /// Population covariance; there must be a point.
