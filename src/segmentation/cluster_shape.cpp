@@ -8,15 +8,18 @@ namespace segdf {
 
 namespace {
 
-/// Which clusters need no closer look: what is longer along an axis than the diagonal of a vehicle.
+/// Which clusters need no closer look: of what is longer along an axis than the diagonal of a
+/// vehicle, one point of each voxel tells.
 std::vector<std::uint8_t> findLarge(const std::vector<Point>& points,
                                     const VehicleConfig& config,
                                     const CurvedVoxels& voxels,
                                     const Clusters& clusters) {
   std::vector<Eigen::AlignedBox2f> areas(clusters.count);
-  forEachMember(voxels, clusters, [&](std::size_t cluster, std::uint32_t i) {
-    areas[cluster].extend(Eigen::Vector2f(points[i].x, points[i].y));
-  });
+  for (std::size_t v = 0; v < voxels.size(); ++v) {
+    if (clusters.of_voxel[v] == Clusters::kNoise) continue;
+    const Point& p = points[voxels.points[voxels.begin[v]]];
+    areas[static_cast<std::size_t>(clusters.of_voxel[v])].extend(Eigen::Vector2f(p.x, p.y));
+  }
   const auto longest = static_cast<float>(std::hypot(config.length, config.width));
   std::vector<std::uint8_t> large(clusters.count, 0);
   for (std::size_t c = 0; c < large.size(); ++c) {

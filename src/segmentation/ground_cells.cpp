@@ -13,7 +13,8 @@ constexpr double kFlatness = 0.2;
 
 }  // namespace
 
-GroundCells::GroundCells(const std::vector<Eigen::AlignedBox2f>& areas) {
+GroundCells::GroundCells(const std::vector<Eigen::AlignedBox2f>& areas,
+                         const std::vector<Eigen::AlignedBox2f>& listed) {
   for (const Eigen::AlignedBox2f& area : areas) all_.extend(area);
   if (all_.isEmpty()) return;
   rows_ = cell(all_.max().x(), all_.min().x()) + 1;
@@ -26,6 +27,11 @@ GroundCells::GroundCells(const std::vector<Eigen::AlignedBox2f>& areas) {
     });
   }
   cells_.resize(static_cast<std::size_t>(used));
+  for (const Eigen::AlignedBox2f& area : listed) {
+    forEachIndex(area, [this](std::size_t index) {
+      cells_[static_cast<std::size_t>(slot_[index])].listed = true;
+    });
+  }
 }
 
 void GroundCells::add(const Point& p, std::uint32_t point) {
@@ -34,7 +40,7 @@ void GroundCells::add(const Point& p, std::uint32_t point) {
   if (slot == kUnused) return;
   GroundCell& to = cells_[static_cast<std::size_t>(slot)];
   to.moments.add(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
-  to.points.push_back(point);
+  if (to.listed) to.points.push_back(point);
 }
 
 std::optional<GroundPlane> planeAround(const std::vector<Point>& points,

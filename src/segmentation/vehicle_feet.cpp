@@ -40,7 +40,7 @@ class Feet {
         config_(config),
         shapes_(shapes),
         standing_(shapes.size()),
-        cells_(areasAround(shapes, config)) {
+        cells_(areasAround(shapes, config, kReach), areasAround(shapes, config, kMargin)) {
     for (std::uint32_t i = 0; i < points.size(); ++i) {
       if (roles[i] == PointRole::kGround) cells_.add(points[i], i);
     }
@@ -82,10 +82,11 @@ class Feet {
 
  private:
   static std::vector<Eigen::AlignedBox2f> areasAround(const std::vector<ClusterShape>& shapes,
-                                                      const VehicleConfig& config) {
+                                                      const VehicleConfig& config,
+                                                      float by) {
     std::vector<Eigen::AlignedBox2f> areas;
     for (const ClusterShape& shape : shapes) {
-      if (mayBeVehicle(shape, config)) areas.push_back(grown(shape.area, kReach));
+      if (mayBeVehicle(shape, config)) areas.push_back(grown(shape.area, by));
     }
     return areas;
   }

@@ -140,6 +140,7 @@ TEST(VehicleFeet, WhatLiesUnderTheRoadDoesNotStandOnIt) {
 TEST(VehicleFeet, WhatIsMostlyAsLowAsTheRoadIsLeft) {
   Road road;
   std::vector<std::size_t> low;
+  low.reserve(150);
   for (int k = 0; k < 150; ++k) {
     low.push_back(road.add(10.2F + 0.004F * static_cast<float>(k), 0.1F, 0.0F, PointRole::kObject));
   }

@@ -29,14 +29,17 @@ struct GroundPlane {
 /// The ground points in a square of 1 m.
 struct GroundCell {
   Moments moments;
-  std::vector<std::uint32_t> points;
+  bool listed = false;
+  std::vector<std::uint32_t> points;  ///< when listed
 };
 
 /// Ground points by cells, of those cells that are asked for.
 class GroundCells {
  public:
   /// @param areas to be asked for, none empty
-  explicit GroundCells(const std::vector<Eigen::AlignedBox2f>& areas);
+  /// @param listed parts of them of which single points are asked for
+  GroundCells(const std::vector<Eigen::AlignedBox2f>& areas,
+              const std::vector<Eigen::AlignedBox2f>& listed);
 
   /// @param point its index in the scan
   void add(const Point& p, std::uint32_t point);
