@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "segdf/segmentation/ground_cells.hpp"
 #include "segdf/segmentation/voxel_edit.hpp"
@@ -25,9 +26,9 @@ Eigen::AlignedBox2f grown(Eigen::AlignedBox2f area, float by) {
 /// A cluster and the plane that it may stand on.
 struct Standing {
   std::optional<GroundPlane> plane;
-  std::size_t points = 0;  ///< of the cluster
-  std::size_t low = 0;     ///< below the foot's height
-  std::size_t deep = 0;    ///< deeper than a foot
+  std::size_t points = 0;          ///< of the cluster
+  std::size_t deep = 0;            ///< deeper than a foot
+  std::vector<std::uint32_t> low;  ///< those that may be ground
 };
 
 class Feet {
@@ -57,17 +58,20 @@ class Feet {
     if (!standing.plane) return;
     const double height = standing.plane->heightOf(points_[point]);
     ++standing.points;
-    if (height < config_.foot) ++standing.low;
+    if (height < config_.foot) standing.low.push_back(point);
     if (height < -config_.foot_depth) ++standing.deep;
   }
 
-  /// Whether a point of a cluster is ground; asked when all points are counted.
-  bool isGround(std::size_t cluster, std::uint32_t point) const {
-    return standing_[cluster].low > 0 && stands(cluster) &&
-           standing_[cluster].plane->heightOf(points_[point]) < config_.foot;
+  /// Calls visit(point) for the points of clusters that are ground; when all points are counted.
+  template <class Visit>
+  void forEachGround(const Visit& visit) const {
+    for (std::size_t c = 0; c < standing_.size(); ++c) {
+      if (!stands(c)) continue;
+      for (std::uint32_t i : standing_[c].low) visit(i);
+    }
   }
 
-  /// Calls visit(cluster, point) for the ground points that belong to a cluster.
+  /// Calls visit(cluster, point) for the ground points that belong to a cluster; likewise.
   template <class Visit>
   void forEachFoot(const Visit& visit) const {
     for (std::size_t c = 0; c < shapes_.size(); ++c) {
@@ -95,7 +99,7 @@ class Feet {
   bool stands(std::size_t cluster) const {
     const Standing& s = standing_[cluster];
     const auto all = static_cast<double>(s.points);
-    return s.points > 0 && static_cast<double>(s.low) <= config_.foot_share * all &&
+    return s.points > 0 && static_cast<double>(s.low.size()) <= config_.foot_share * all &&
            static_cast<double>(s.deep) <= kDeepShare * all;
   }
 
@@ -130,9 +134,7 @@ void settleFeet(const std::vector<Point>& points,
     roles[i] = PointRole::kObject;
     found.push_back({i, static_cast<std::int32_t>(cluster)});
   });
-  forEachMember(voxels, clusters, [&](std::size_t cluster, std::uint32_t i) {
-    if (feet.isGround(cluster, i)) roles[i] = PointRole::kGround;
-  });
+  feet.forEachGround([&](std::uint32_t i) { roles[i] = PointRole::kGround; });
   editVoxels(points, roles, grid, found, voxels, clusters);
 }
 

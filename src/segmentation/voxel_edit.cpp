@@ -32,8 +32,8 @@ class VoxelMerge {
       : roles_(roles), added_(added), keys_(keys) {}
 
   void merge(CurvedVoxels& voxels, Clusters& clusters) {
+    reserve(voxels.size() + added_.size(), voxels.points.size() + added_.size());
     merged_.begin.push_back(0);
-    merged_.points.reserve(voxels.points.size() + added_.size());
     for (std::size_t v = 0; v < voxels.size(); ++v) {
       addNewVoxels(voxels.keys[v]);
       addVoxel(voxels, v);
@@ -46,6 +46,15 @@ class VoxelMerge {
   }
 
  private:
+  void reserve(std::size_t voxels, std::size_t points) {
+    merged_.keys.reserve(voxels);
+    merged_.begin.reserve(voxels + 1);
+    merged_.points.reserve(points);
+    merged_.mean.reserve(voxels);
+    merged_.deviation.reserve(voxels);
+    cluster_.reserve(voxels);
+  }
+
   /// Of the added points before a key.
   void addNewVoxels(CurvedGrid::Key before) {
     while (next_ < keys_.size() && keys_[next_].first < before) {
