@@ -15,13 +15,21 @@ constexpr float kBefore = 0.3F;
 // Fragments end at most this far over its top, and begin this far over ground, metres.
 constexpr float kAbove = 0.2F;
 constexpr float kOverGround = 0.1F;
+// Noise so near to its footprint need not be seen under its top, metres.
+constexpr float kWithin = 0.5F;
+// Columns beside that count as above, for sensors with fewer than the image.
+constexpr int kColumns = 3;
 
 class Fragments {
  public:
+  /// @param cluster of each point
   Fragments(const RangeImage& image,
+            const std::vector<std::int32_t>& cluster,
             const VehicleConfig& config,
             const std::vector<ClusterShape>& shapes)
-      : config_(config),
+      : image_(image),
+        cluster_(cluster),
+        config_(config),
         shapes_(shapes),
         columns_(image.columns()),
         beside_(static_cast<std::int32_t>(std::lround(config.beside / 360.0 * image.columns()))) {
@@ -31,9 +39,14 @@ class Fragments {
   }
 
   /// The vehicle that noise belongs to, kNoise when to none.
-  std::int32_t ownerOfNoise(const ClusterShape& noise) const {
+  /// @param point one of the noise
+  std::int32_t ownerOfNoise(const ClusterShape& noise, const Point& p, std::uint32_t point) const {
     if (noise.bottom < kOverGround) return Clusters::kNoise;
-    return owner(noise, [](const ClusterShape&) { return true; });
+    const std::int32_t vehicle = owner(noise, [](const ClusterShape&) { return true; });
+    if (vehicle == Clusters::kNoise) return vehicle;
+    const bool within =
+        shapes_[static_cast<std::size_t>(vehicle)].extent.contains(p.x, p.y, kWithin);
+    return within || isUnder(point, vehicle) ? vehicle : Clusters::kNoise;
   }
 
   /// The vehicle that a cluster belongs to, kNoise when to none but itself.
@@ -49,6 +62,19 @@ class Fragments {
   }
 
  private:
+  /// What is seen over the top of a vehicle has nothing of it above in the image.
+  bool isUnder(std::uint32_t point, std::int32_t vehicle) const {
+    for (int row = image_.rowOf(point) - 1; row >= 0; --row) {
+      for (int right = -kColumns; right <= kColumns; ++right) {
+        const std::int32_t above = image_.at(row, image_.columnOf(point) + right);
+        if (above != RangeImage::kNone && cluster_[static_cast<std::size_t>(above)] == vehicle) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   template <class Condition>
   std::int32_t owner(const ClusterShape& fragment, const Condition& may_own) const {
     std::int32_t nearest = Clusters::kNoise;
@@ -81,6 +107,8 @@ class Fragments {
            static_cast<double>(both.width()) <= config_.width;
   }
 
+  const RangeImage& image_;
+  const std::vector<std::int32_t>& cluster_;
   const VehicleConfig& config_;
   const std::vector<ClusterShape>& shapes_;
   std::int32_t columns_;
@@ -97,7 +125,8 @@ void joinFragments(const std::vector<Point>& points,
                    const CurvedVoxels& voxels,
                    const std::vector<ClusterShape>& shapes,
                    Clusters& clusters) {
-  const Fragments fragments(image, config, shapes);
+  const std::vector<std::int32_t> before = clusterOfPoints(points.size(), voxels, clusters);
+  const Fragments fragments(image, before, config, shapes);
   std::vector<std::int32_t> owner(shapes.size());
   for (std::size_t c = 0; c < shapes.size(); ++c) {
     owner[c] = fragments.ownerOfCluster(shapes[c]);
@@ -109,12 +138,13 @@ void joinFragments(const std::vector<Point>& points,
       cluster = owner[static_cast<std::size_t>(cluster)];
       continue;
     }
+    const std::uint32_t first = voxels.points[voxels.begin[v]];
     ClusterShape noise;
     for (std::uint32_t k = voxels.begin[v]; k < voxels.begin[v + 1]; ++k) {
       const std::uint32_t i = voxels.points[k];
       noise.add(points[i], height[i], image.columnOf(i), image.columns());
     }
-    cluster = fragments.ownerOfNoise(noise);
+    cluster = fragments.ownerOfNoise(noise, points[first], first);
   }
 }
 
