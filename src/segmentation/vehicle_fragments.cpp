@@ -15,9 +15,9 @@ constexpr float kBefore = 0.3F;
 // Fragments end at most this far over its top, and begin this far over ground, metres.
 constexpr float kAbove = 0.2F;
 constexpr float kOverGround = 0.1F;
-// Noise so near to its footprint need not be seen under its top, metres.
+// Noise so near to its footprint may be seen over its top, metres.
 constexpr float kWithin = 0.5F;
-// Columns beside that count as above, for sensors with fewer than the image.
+// Columns beside that count as the same, for sensors with fewer than the image.
 constexpr int kColumns = 3;
 
 class Fragments {
@@ -46,7 +46,7 @@ class Fragments {
     if (vehicle == Clusters::kNoise) return vehicle;
     const bool within =
         shapes_[static_cast<std::size_t>(vehicle)].extent.contains(p.x, p.y, kWithin);
-    return within || isUnder(point, vehicle) ? vehicle : Clusters::kNoise;
+    return within || !isOver(point, vehicle) ? vehicle : Clusters::kNoise;
   }
 
   /// The vehicle that a cluster belongs to, kNoise when to none but itself.
@@ -62,14 +62,18 @@ class Fragments {
   }
 
  private:
-  /// What is seen over the top of a vehicle has nothing of it above in the image.
-  bool isUnder(std::uint32_t point, std::int32_t vehicle) const {
-    for (int row = image_.rowOf(point) - 1; row >= 0; --row) {
+  /// True where the vehicle is seen below in the image and not above.
+  bool isOver(std::uint32_t point, std::int32_t vehicle) const {
+    const int row = image_.rowOf(point);
+    return !isSeen(0, row, point, vehicle) && isSeen(row + 1, image_.rows(), point, vehicle);
+  }
+
+  /// True when the vehicle has points in some rows of a point's column or beside it.
+  bool isSeen(int first, int last, std::uint32_t point, std::int32_t vehicle) const {
+    for (int row = first; row < last; ++row) {
       for (int right = -kColumns; right <= kColumns; ++right) {
-        const std::int32_t above = image_.at(row, image_.columnOf(point) + right);
-        if (above != RangeImage::kNone && cluster_[static_cast<std::size_t>(above)] == vehicle) {
-          return true;
-        }
+        const std::int32_t i = image_.at(row, image_.columnOf(point) + right);
+        if (i != RangeImage::kNone && cluster_[static_cast<std::size_t>(i)] == vehicle) return true;
       }
     }
     return false;
