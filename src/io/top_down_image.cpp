@@ -129,8 +129,18 @@ void TopDownImage::add(const MapPoint& point) {
   const std::uint32_t shade = kind == kGround ? shadeOfGround(point) : shadeOfHeight(point);
   const std::uint32_t cell =
       (static_cast<std::uint32_t>(kind) << kKindShift) | (levelOf(point) << kLevelShift) | shade;
-  // The greater of the two, without a branch: which point is on top is not to be foretold.
-  cells_[pixel] += (cell - cells_[pixel]) * static_cast<std::uint32_t>(cell > cells_[pixel]);
+  // The picture is larger than any cache: memory brings the pixel while the next points are seen.
+  __builtin_prefetch(&cells_[pixel], 1);
+  waiting_[waiting_count_++] = {pixel, cell};
+  if (waiting_count_ == waiting_.size()) drawWaiting();
+}
+
+void TopDownImage::drawWaiting() {
+  for (std::size_t k = 0; k < waiting_count_; ++k) {
+    std::uint32_t& cell = cells_[waiting_[k].pixel];
+    cell = std::max(cell, waiting_[k].cell);
+  }
+  waiting_count_ = 0;
 }
 
 void TopDownImage::drawTrajectory(std::vector<std::uint8_t>& rgb) const {
@@ -158,6 +168,7 @@ void TopDownImage::drawScale(std::vector<std::uint8_t>& rgb) const {
 }
 
 void TopDownImage::write(const std::filesystem::path& file) {
+  drawWaiting();
   std::vector<std::uint8_t> rgb(3 * cells_.size());
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     paint(rgb, k, shaded(cells_[k]));

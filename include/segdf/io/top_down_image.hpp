@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -27,6 +28,13 @@ class TopDownImage {
   void write(const std::filesystem::path& file);
 
  private:
+  /// A point that is to be drawn.
+  struct Dot {
+    std::size_t pixel = 0;
+    std::uint32_t cell = 0;
+  };
+
+  void drawWaiting();
   /// Index of the pixel at a place, cells_.size() outside the picture.
   std::size_t pixelAt(double x, double y) const;
   void drawTrajectory(std::vector<std::uint8_t>& rgb) const;
@@ -38,6 +46,8 @@ class TopDownImage {
   std::size_t width_;
   std::size_t height_;
   std::vector<std::uint32_t> cells_;  ///< what is on top
+  std::array<Dot, 32> waiting_;
+  std::size_t waiting_count_ = 0;
 };
 
 }  // namespace segdf
