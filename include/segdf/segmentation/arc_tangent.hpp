@@ -21,20 +21,20 @@ inline Real arcTangent2(Real y, Real x) {
   const Real t = shorter / (longer > 0 ? longer : 1);
   // atan(t) / t as a polynomial in t^2, interpolated at Chebyshev nodes of [0, 1]; summed in
   // halves, which leaves the processor less to wait for than Horner's scheme.
-  constexpr auto c0 = static_cast<Real>(0.9999999842427);
-  constexpr auto c1 = static_cast<Real>(0.3333306678071);
-  constexpr auto c2 = static_cast<Real>(0.1999248357889);
-  constexpr auto c3 = static_cast<Real>(0.1420257051513);
-  constexpr auto c4 = static_cast<Real>(0.1063675411276);
-  constexpr auto c5 = static_cast<Real>(0.07495445477053);
-  constexpr auto c6 = static_cast<Real>(0.04258760789379);
-  constexpr auto c7 = static_cast<Real>(0.01600503078554);
-  constexpr auto c8 = static_cast<Real>(0.002834064374102);
+  constexpr auto kTerm0 = static_cast<Real>(0.9999999842427);
+  constexpr auto kTerm1 = static_cast<Real>(0.3333306678071);
+  constexpr auto kTerm2 = static_cast<Real>(0.1999248357889);
+  constexpr auto kTerm3 = static_cast<Real>(0.1420257051513);
+  constexpr auto kTerm4 = static_cast<Real>(0.1063675411276);
+  constexpr auto kTerm5 = static_cast<Real>(0.07495445477053);
+  constexpr auto kTerm6 = static_cast<Real>(0.04258760789379);
+  constexpr auto kTerm7 = static_cast<Real>(0.01600503078554);
+  constexpr auto kTerm8 = static_cast<Real>(0.002834064374102);
   const Real s = t * t;
   const Real s2 = s * s;
   const Real s4 = s2 * s2;
-  const Real low = (c0 - c1 * s) + s2 * (c2 - c3 * s);
-  const Real high = (c4 - c5 * s) + s2 * (c6 - c7 * s) + s4 * c8;
+  const Real low = (kTerm0 - kTerm1 * s) + s2 * (kTerm2 - kTerm3 * s);
+  const Real high = (kTerm4 - kTerm5 * s) + s2 * (kTerm6 - kTerm7 * s) + s4 * kTerm8;
   Real angle = t * (low + s4 * high);
   angle = ay > ax ? kPi / 2 - angle : angle;
   angle = x < 0 ? kPi - angle : angle;
