@@ -48,20 +48,21 @@ float squaredDistanceToEdge(const Eigen::Vector2f& x,
 
 }  // namespace
 
-Footprint::Footprint(std::vector<Eigen::Vector2f> points, float margin)
-    : hull_(convexHull(std::move(points))), margin_(margin) {
+Footprint::Footprint(std::vector<Eigen::Vector2f> points) : hull_(convexHull(std::move(points))) {
   for (const Eigen::Vector2f& corner : hull_) bounds_.extend(corner);
-  bounds_.min().array() -= margin;
-  bounds_.max().array() += margin;
 }
 
-bool Footprint::contains(const Eigen::Vector2f& place) const {
-  if (!bounds_.contains(place)) return false;
+Eigen::AlignedBox2f Footprint::bounds(float margin) const {
+  return {bounds_.min().array() - margin, bounds_.max().array() + margin};
+}
+
+bool Footprint::contains(const Eigen::Vector2f& place, float margin) const {
+  if (!bounds(margin).contains(place)) return false;
   bool inside = hull_.size() > 2;
   for (std::size_t k = 0; k < hull_.size(); ++k) {
     const Eigen::Vector2f& a = hull_[k];
     const Eigen::Vector2f& b = hull_[(k + 1) % hull_.size()];
-    if (squaredDistanceToEdge(place, a, b) <= margin_ * margin_) return true;
+    if (squaredDistanceToEdge(place, a, b) <= margin * margin) return true;
     inside = inside && cross(b - a, place - a) >= 0.0F;
   }
   return inside;

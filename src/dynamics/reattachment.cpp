@@ -42,36 +42,36 @@ std::vector<Eigen::Vector2f> upperPoints(const KeyFrame& frame,
   return upper.size() >= kMinUpper ? upper : seenFromAbove(frame, segment.points);
 }
 
-/// The places of a frame's dynamic instances, with a margin around them.
+/// The places of a frame's dynamic instances.
 class MovedPlaces {
  public:
-  MovedPlaces(const KeyFrame& frame, float margin) : margin_(margin) {
+  explicit MovedPlaces(const KeyFrame& frame) {
     for (std::size_t s = 0; s < frame.instances.size(); ++s) {
       const Segment& segment = frame.seg.segments[s];
       if (!frame.instances[s].dynamic || segment.points.empty()) continue;
-      footprints_.emplace_back(seenFromAbove(frame, segment.points), margin);
+      footprints_.emplace_back(seenFromAbove(frame, segment.points));
       bounds_.push_back(segment.bounds);
     }
   }
 
-  /// True in the footprint of an instance, not much higher or lower than it is.
-  bool contain(const Eigen::Vector3f& place) const {
+  /// True in the footprint of an instance and up to the margin around it, metres, also over and
+  /// under it.
+  bool contain(const Eigen::Vector3f& place, float margin) const {
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
-      if (bounds_[k].exteriorDistance(place) > margin_) continue;
-      if (footprints_[k].contains(place.head<2>())) return true;
+      if (bounds_[k].exteriorDistance(place) > margin) continue;
+      if (footprints_[k].contains(place.head<2>(), margin)) return true;
     }
     return false;
   }
-  /// True when they contain most of a segment.
-  bool enclose(const KeyFrame& frame, const Segment& segment) const {
-    const auto inside =
-        std::count_if(segment.points.begin(), segment.points.end(),
-                      [&](std::uint32_t i) { return contain(frame.scan.points[i].position()); });
+  /// True when they, with the margin, contain most of a segment.
+  bool enclose(const KeyFrame& frame, const Segment& segment, float margin) const {
+    const auto inside = std::count_if(
+        segment.points.begin(), segment.points.end(),
+        [&](std::uint32_t i) { return contain(frame.scan.points[i].position(), margin); });
     return static_cast<double>(inside) >= kEnclosed * static_cast<double>(segment.points.size());
   }
 
  private:
-  float margin_;
   std::vector<Footprint> footprints_;
   std::vector<Eigen::AlignedBox3f> bounds_;
 };
@@ -93,9 +93,9 @@ class Standing {
       : frame_(frame),
         top_(static_cast<float>(config.foot_height)),
         bottom_(static_cast<float>(config.foot_bottom)),
+        margin_(static_cast<float>(config.foot_margin)),
         ground_(frame, places, areaOf(segment)),
-        footprint_(upperPoints(frame, segment, ground_, top_),
-                   static_cast<float>(config.foot_margin)) {}
+        footprint_(upperPoints(frame, segment, ground_, top_)) {}
 
   /// True for a point of the ground around, whatever it was taken for.
   bool isGround(std::uint32_t i) const {
@@ -105,16 +105,17 @@ class Standing {
   /// True for a point of the object that was taken for ground.
   bool isFoot(std::uint32_t i) const { return ground_.heightOf(i) >= bottom_ && isUnder(i); }
   /// What isUnder can be true for.
-  const Eigen::AlignedBox2f& area() const { return footprint_.bounds(); }
+  Eigen::AlignedBox2f area() const { return footprint_.bounds(margin_); }
 
  private:
   bool isUnder(std::uint32_t i) const {
-    return footprint_.contains(frame_.scan.points[i].position().head<2>());
+    return footprint_.contains(frame_.scan.points[i].position().head<2>(), margin_);
   }
 
   const KeyFrame& frame_;
   float top_;
   float bottom_;
+  float margin_;
   LocalGround ground_;
   Footprint footprint_;
 };
@@ -123,24 +124,23 @@ class Standing {
 class LooseRule {
  public:
   LooseRule(const KeyFrame& frame, const DynamicConfig& config)
-      : frame_(frame), config_(config), near_(frame, kNear), beside_(frame, kBeside) {}
+      : frame_(frame), config_(config), moved_(frame) {}
 
   bool takes(std::uint32_t i, const PlaceEvidence& e) const {
     const Eigen::Vector3f place = frame_.scan.points[i].position();
     const auto height = static_cast<double>(frame_.seg.height[i]);
     const bool doubtful = e.free >= e.hit;
-    if (doubtful && height >= config_.foot_bottom && beside_.contain(place)) return true;
+    if (doubtful && height >= config_.foot_bottom && moved_.contain(place, kBeside)) return true;
     // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
     if (e.free == 0 || height < config_.foot_height) return false;
-    const bool moved = e.free >= config_.loose_votes && e.free >= kFreeRatio * e.hit;
-    return moved || (doubtful && near_.contain(place));
+    const bool enough = e.free >= config_.loose_votes && e.free >= kFreeRatio * e.hit;
+    return enough || (doubtful && moved_.contain(place, kNear));
   }
 
  private:
   const KeyFrame& frame_;
   const DynamicConfig& config_;
-  MovedPlaces near_;
-  MovedPlaces beside_;
+  MovedPlaces moved_;
 };
 
 void releaseGround(KeyFrame& frame, Segment& segment, const Standing& standing) {
@@ -170,10 +170,12 @@ std::vector<std::uint8_t> groundAndLoosePoints(const KeyFrame& frame) {
 }  // namespace
 
 void removeEnclosed(KeyFrame& frame, const DynamicConfig& config) {
-  const MovedPlaces moved(frame, static_cast<float>(config.foot_margin));
+  const MovedPlaces moved(frame);
+  const auto margin = static_cast<float>(config.foot_margin);
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     Instance& instance = frame.instances[s];
-    if (!isUnproven(instance, config) || !moved.enclose(frame, frame.seg.segments[s])) continue;
+    if (!isUnproven(instance, config) || !moved.enclose(frame, frame.seg.segments[s], margin))
+      continue;
     instance.dynamic = true;
     instance.reason = Reason::kEnclosed;
   }

@@ -87,7 +87,7 @@ void separate(KeyFrame& frame, std::size_t segment, const Indices& part, IdSourc
 /// True when most of the part lies beside what moved, and not under it.
 bool isBeside(const KeyFrame& frame, const Indices& part, const Footprint& moved) {
   const auto outside = std::count_if(part.begin(), part.end(), [&](std::uint32_t i) {
-    return !moved.contains(frame.scan.points[i].position().head<2>());
+    return !moved.contains(frame.scan.points[i].position().head<2>(), kMovedMargin);
   });
   return static_cast<double>(outside) >= kBeside * static_cast<double>(part.size());
 }
@@ -126,7 +126,7 @@ void keepStanding(KeyFrame& frame,
     if (standing.size() < static_cast<std::size_t>(config.df.keep_min)) continue;
     const Indices moved = pointsWhere(frame.seg.segments[s], by_point, hasMoved);
     if (moved.empty()) continue;
-    const Footprint footprint(seenFromAbove(frame, moved), kMovedMargin);
+    const Footprint footprint(seenFromAbove(frame, moved));
     for (const Indices& part : connectedParts(frame, standing, grid)) {
       if (part.size() < static_cast<std::size_t>(config.df.keep_min)) continue;
       if (isBeside(frame, part, footprint)) separate(frame, s, part, ids);

@@ -7,23 +7,23 @@ namespace segdf {
 namespace {
 
 TEST(Footprint, ASquareWithAMargin) {
-  const Footprint square({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {1, 0}}, 0.5F);
-  EXPECT_TRUE(square.contains({1.0F, 1.0F}));
-  EXPECT_TRUE(square.contains({2.4F, 1.0F})) << "within the margin";
-  EXPECT_FALSE(square.contains({2.6F, 1.0F}));
-  EXPECT_TRUE(square.contains({2.3F, 2.3F})) << "0.42 m from the corner";
-  EXPECT_FALSE(square.contains({2.4F, 2.4F})) << "0.57 m from the corner";
+  const Footprint square({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {1, 0}});
+  EXPECT_TRUE(square.contains({1.0F, 1.0F}, 0.5F));
+  EXPECT_TRUE(square.contains({2.4F, 1.0F}, 0.5F)) << "within the margin";
+  EXPECT_FALSE(square.contains({2.6F, 1.0F}, 0.5F));
+  EXPECT_TRUE(square.contains({2.3F, 2.3F}, 0.5F)) << "0.42 m from the corner";
+  EXPECT_FALSE(square.contains({2.4F, 2.4F}, 0.5F)) << "0.57 m from the corner";
 }
 
 TEST(Footprint, PointsWithoutAnArea) {
-  const Footprint one({{1, 1}}, 0.2F);
-  EXPECT_TRUE(one.contains({1.1F, 1.1F}));
-  EXPECT_FALSE(one.contains({1.3F, 1.0F}));
-  const Footprint line({{0, 0}, {1, 0}, {2, 0}}, 0.2F);
-  EXPECT_TRUE(line.contains({1.5F, -0.1F}));
-  EXPECT_FALSE(line.contains({1.5F, 0.3F}));
-  const Footprint same({{1, 1}, {1, 1}, {1, 1}}, 0.2F);
-  EXPECT_TRUE(same.contains({1.0F, 1.1F}));
+  const Footprint one({{1, 1}});
+  EXPECT_TRUE(one.contains({1.1F, 1.1F}, 0.2F));
+  EXPECT_FALSE(one.contains({1.3F, 1.0F}, 0.2F));
+  const Footprint line({{0, 0}, {1, 0}, {2, 0}});
+  EXPECT_TRUE(line.contains({1.5F, -0.1F}, 0.2F));
+  EXPECT_FALSE(line.contains({1.5F, 0.3F}, 0.2F));
+  const Footprint same({{1, 1}, {1, 1}, {1, 1}});
+  EXPECT_TRUE(same.contains({1.0F, 1.1F}, 0.2F));
 }
 
 }  // namespace

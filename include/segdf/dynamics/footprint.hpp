@@ -7,22 +7,21 @@
 
 namespace segdf {
 
-/// Convex hull of an object seen from above, with a margin around it.
+/// Convex hull of an object seen from above.
 class Footprint {
  public:
-  /// @param points in the plane, metres, at least one. @param margin metres
-  Footprint(std::vector<Eigen::Vector2f> points, float margin);
+  /// @param points in the plane, metres, at least one
+  explicit Footprint(std::vector<Eigen::Vector2f> points);
 
-  /// True inside the hull and up to the margin outside of it.
-  bool contains(const Eigen::Vector2f& place) const;
+  /// True inside the hull and up to the margin outside of it, metres.
+  bool contains(const Eigen::Vector2f& place, float margin) const;
 
-  /// Holds every place that the footprint contains.
-  const Eigen::AlignedBox2f& bounds() const { return bounds_; }
+  /// Holds every place that the footprint contains with a margin, metres.
+  Eigen::AlignedBox2f bounds(float margin) const;
 
  private:
   std::vector<Eigen::Vector2f> hull_;  ///< corners, counter-clockwise
-  float margin_;
-  Eigen::AlignedBox2f bounds_;  ///< with the margin
+  Eigen::AlignedBox2f bounds_;
 };
 
 }  // namespace segdf
