@@ -115,8 +115,7 @@ bool standsApart(const KeyFrame& frame,
   int beyond = 0;
   bool seen_through = false;
   for (const PairVote& vote : frame.evidence->votes[segment]) {
-    seen_through =
-        seen_through || (vote.informative && static_cast<double>(vote.freeShare()) >= config.f_dyn);
+    seen_through = seen_through || isSeenThrough(vote, config);
     if (!isFoundAgain(vote, points, config)) continue;
     const auto proof =
         std::find_if(far.begin(), far.end(), [&](const Proof& p) { return p.scan == vote.scan; });
@@ -135,8 +134,7 @@ bool staysBehind(const KeyFrame& frame,
   const std::size_t first = proofs.front().scan;
   const std::vector<PairVote>& votes = frame.evidence->votes[segment];
   return first > frame.index && std::none_of(votes.begin(), votes.end(), [&](const PairVote& vote) {
-           return vote.informative && vote.scan >= first &&
-                  static_cast<double>(vote.freeShare()) >= config.f_dyn;
+           return vote.scan >= first && isSeenThrough(vote, config);
          });
 }
 

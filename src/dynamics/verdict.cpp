@@ -22,7 +22,7 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
     if (!vote.informative) continue;
     const auto share = static_cast<double>(vote.freeShare());
     ++verdict.pairs;
-    verdict.dynamic_votes += share >= config.f_dyn ? 1 : 0;
+    verdict.dynamic_votes += isSeenThrough(vote, config) ? 1 : 0;
     verdict.static_votes += share <= config.f_stat ? 1 : 0;
     verdict.best = std::max(verdict.best, vote.freeShare());
     if (!isFarInTime(static_cast<double>(vote.seconds), config)) continue;
@@ -42,6 +42,10 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
     verdict.reason = Reason::kLongLook;
   }
   return verdict;
+}
+
+bool isSeenThrough(const PairVote& vote, const DynamicConfig& config) {
+  return vote.informative && static_cast<double>(vote.freeShare()) >= config.f_dyn;
 }
 
 bool isFoundAgain(const PairVote& vote, std::size_t points, const DynamicConfig& config) {

@@ -73,11 +73,12 @@ std::vector<Point> readPoints(const fs::path& file) {
         " bytes, no multiple of 16 (float32 x y z intensity): it is truncated or no KITTI scan");
   }
   stream.seekg(0);
+  const std::size_t total = bytes / kPointBytes;
   std::vector<Point> points;
-  points.reserve(bytes / kPointBytes);
+  points.reserve(total);
   std::array<std::array<float, 4>, kPointsAtOnce> raw;
-  while (points.size() < bytes / kPointBytes) {
-    const std::size_t count = std::min(kPointsAtOnce, bytes / kPointBytes - points.size());
+  while (points.size() < total) {
+    const std::size_t count = std::min(kPointsAtOnce, total - points.size());
     stream.read(reinterpret_cast<char*>(raw.data()),
                 static_cast<std::streamsize>(count * kPointBytes));
     if (!stream) throw IoError("cannot read scan " + file.string() + " to its end");

@@ -28,12 +28,12 @@ std::vector<std::uint8_t> findLarge(const std::vector<Point>& points,
   return large;
 }
 
-bool fits(const ClusterShape& shape, const VehicleConfig& config) {
-  return static_cast<double>(shape.extent.length()) <= config.length &&
-         static_cast<double>(shape.extent.width()) <= config.width;
-}
-
 }  // namespace
+
+bool fitsVehicle(const HorizontalExtent& extent, const VehicleConfig& config) {
+  return static_cast<double>(extent.length()) <= config.length &&
+         static_cast<double>(extent.width()) <= config.width;
+}
 
 std::int32_t columnsBetween(std::int32_t from, std::int32_t to, std::int32_t columns) {
   std::int32_t way = to - from;
@@ -72,7 +72,7 @@ std::vector<ClusterShape> shapesOf(const std::vector<Point>& points,
     shapes[cluster].add(points[i], height[i], image.columnOf(i), image.columns());
   });
   for (ClusterShape& shape : shapes) {
-    if (shape.points > 0 && !fits(shape, config)) shape = {};
+    if (shape.points > 0 && !fitsVehicle(shape.extent, config)) shape = {};
   }
   return shapes;
 }

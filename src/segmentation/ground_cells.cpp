@@ -58,7 +58,7 @@ std::optional<GroundPlane> planeAround(const std::vector<Point>& points,
                  static_cast<double>(p.z()));
     }
   });
-  sum.subtract(inside);
+  sum.add(inside, -1.0);
   if (sum.count < kMinPoints) return std::nullopt;
   const Eigen::Vector3d mean = sum.mean();
   const Eigen::Matrix3d covariance = sum.covariance();

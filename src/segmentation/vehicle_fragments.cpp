@@ -107,8 +107,7 @@ class Fragments {
   bool fitTogether(const ClusterShape& vehicle, const ClusterShape& fragment) const {
     HorizontalExtent both = vehicle.extent;
     both.add(fragment.extent);
-    return static_cast<double>(both.length()) <= config_.length &&
-           static_cast<double>(both.width()) <= config_.width;
+    return fitsVehicle(both, config_);
   }
 
   const RangeImage& image_;

@@ -29,6 +29,9 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
                    ObjectClass object_class,
                    const DynamicConfig& config);
 
+/// True when an informative pair saw through a segment: a vote for dynamic.
+bool isSeenThrough(const PairVote& vote, const DynamicConfig& config);
+
 /// True when a pair that is kParkedSeconds or more apart found a segment again where it is, for the
 /// most part. @param points of the segment
 bool isFoundAgain(const PairVote& vote, std::size_t points, const DynamicConfig& config);

@@ -36,8 +36,11 @@ struct ClusterShape {
 /// From one column of an image to another the shorter way round.
 std::int32_t columnsBetween(std::int32_t from, std::int32_t to, std::int32_t columns);
 
-/// Shapes of the clusters that are no longer and no wider than a vehicle (`config.length`,
-/// `config.width`); the others have 0 points. Linear in points.
+/// True when what has such an extent is no longer and no wider than a vehicle (`config.length`,
+/// `config.width`).
+bool fitsVehicle(const HorizontalExtent& extent, const VehicleConfig& config);
+
+/// Shapes of the clusters that fit a vehicle; the others have 0 points. Linear in points.
 /// @param height of each point over the local ground, metres
 std::vector<ClusterShape> shapesOf(const std::vector<Point>& points,
                                    const RangeImage& image,

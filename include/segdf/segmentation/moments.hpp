@@ -23,27 +23,16 @@ struct Moments {
     yz += y * z;
     zz += z * z;
   }
-  /// Adds offsets from the same point.
-  void add(const Moments& other) {
-    count += other.count;
-    sum += other.sum;
-    xx += other.xx;
-    xy += other.xy;
-    xz += other.xz;
-    yy += other.yy;
-    yz += other.yz;
-    zz += other.zz;
-  }
-  /// Takes away offsets from the same point that were added.
-  void subtract(const Moments& other) {
-    count -= other.count;
-    sum -= other.sum;
-    xx -= other.xx;
-    xy -= other.xy;
-    xz -= other.xz;
-    yy -= other.yy;
-    yz -= other.yz;
-    zz -= other.zz;
+  /// Adds offsets from the same point, or with -1 takes away those that were added.
+  void add(const Moments& other, double times = 1.0) {
+    count += times * other.count;
+    sum += times * other.sum;
+    xx += times * other.xx;
+    xy += times * other.xy;
+    xz += times * other.xz;
+    yy += times * other.yy;
+    yz += times * other.yz;
+    zz += times * other.zz;
   }
   /// Mean offset; there must be a point.
   Eigen::Vector3d mean() const { return sum / count; }
