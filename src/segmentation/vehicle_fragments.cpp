@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/segmentation/vehicle_fragments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +13,14 @@ namespace {
 
 // What is nearer than the vehicle's face by more is in front of it, metres.
 constexpr float kBefore = 0.3F;
-// Fragments end at most this far over its top, and begin this far over ground, metres.
+// Fragments end at most this far over its top, or at the roof of a car of which the rest has only
+// the bonnet, and begin this far over ground, metres.
 constexpr float kAbove = 0.2F;
+constexpr float kCarRoof = 1.6F;
 constexpr float kOverGround = 0.1F;
-// Noise so near to its footprint may be seen over its top, metres.
+// Over what is lower than the roofs of cars its own roof may be seen, metres; over others only
+// noise so near to its footprint.
+constexpr float kLowestRoof = 1.4F;
 constexpr float kWithin = 0.5F;
 // Columns beside that count as the same, for sensors with fewer than the image.
 constexpr int kColumns = 3;
@@ -44,9 +49,9 @@ class Fragments {
     if (noise.bottom < kOverGround) return Clusters::kNoise;
     const std::int32_t vehicle = owner(noise, [](const ClusterShape&) { return true; });
     if (vehicle == Clusters::kNoise) return vehicle;
-    const bool within =
-        shapes_[static_cast<std::size_t>(vehicle)].extent.contains(p.x, p.y, kWithin);
-    return within || !isOver(point, vehicle) ? vehicle : Clusters::kNoise;
+    const ClusterShape& shape = shapes_[static_cast<std::size_t>(vehicle)];
+    const bool near = shape.top < kLowestRoof || shape.extent.contains(p.x, p.y, kWithin);
+    return near || !isOver(point, vehicle) ? vehicle : Clusters::kNoise;
   }
 
   /// The vehicle that a cluster belongs to, kNoise when to none but itself.
@@ -98,7 +103,7 @@ class Fragments {
   bool hides(const ClusterShape& vehicle, const ClusterShape& fragment) const {
     if (fragment.nearest < vehicle.nearest - kBefore) return false;
     if (fragment.farthest > vehicle.farthest + static_cast<float>(config_.behind)) return false;
-    if (fragment.top > vehicle.top + kAbove) return false;
+    if (fragment.top > std::max(vehicle.top + kAbove, kCarRoof)) return false;
     const std::int32_t way = columnsBetween(vehicle.column, fragment.column, columns_);
     return way + fragment.left >= vehicle.left - beside_ &&
            way + fragment.right <= vehicle.right + beside_;

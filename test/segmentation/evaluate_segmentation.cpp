@@ -144,7 +144,7 @@ void printInstances(const std::vector<Method>& rows, const std::vector<InstanceS
   for (std::size_t m = 0; m < scores.size(); ++m) {
     const InstanceScore& s = scores[m];
     const auto n = static_cast<double>(std::max<std::size_t>(s.instances, 1));
-    std::cout << std::setw(9) << s.instances << "  " << std::setprecision(3) << s.iou / n << "   "
+    std::cout << std::setw(9) << s.instances << "  " << std::setprecision(4) << s.iou / n << "   "
               << static_cast<double>(s.found) / n << "     " << s.coverage / n << "   "
               << s.purity / n << "  " << std::setw(7) << s.clusters / s.scans << "   "
               << (m < rows.size() ? rows[m].name : "PCL VoxelGrid + EuclideanClusterExtraction")

@@ -14,12 +14,15 @@ namespace {
 
 constexpr float kSensorHeight = 1.73F;
 
-/// A car's long side, 9.5 m ahead; higher than the sensor's lasers look over.
-test::BoxWorld carAhead() {
+/// The long side of a box, 9.5 m ahead.
+test::BoxWorld boxAhead(double height) {
   test::BoxWorld world;
-  world.add(10.0, 0.0, 1.0, 4.0, 1.5);
+  world.add(10.0, 0.0, 1.0, 4.0, height);
   return world;
 }
+
+/// Higher than the sensor's lasers look over.
+test::BoxWorld carAhead() { return boxAhead(1.5); }
 
 /// Points one over the other, from a height over ground up. @returns the index of the first
 std::size_t addColumn(Scan& scan, float x, float y, float height, int count, float step) {
@@ -92,6 +95,17 @@ TEST(VehicleFragments, WhatIsFartherBehindThanACarIsWideDoesNot) {
 TEST(VehicleFragments, WhatIsBesideItDoesNot) { expectNoise(carAhead(), 10.0F, 2.9F, 1.0F); }
 TEST(VehicleFragments, WhatIsInFrontDoesNot) { expectNoise(carAhead(), 8.5F, 0.2F, 1.0F); }
 TEST(VehicleFragments, WhatIsHigherDoesNot) { expectNoise(carAhead(), 10.9F, 0.2F, 1.9F); }
+
+TEST(VehicleFragments, OverABonnetItsOwnRoofIsSeen) {
+  Scan scan = boxAhead(1.0).scan(0.0, 0.0, 0.0, 0, 2048);
+  const std::size_t first = addColumn(scan, 11.2F, 0.2F, 1.35F, 5, 0.04F);
+  const auto of_point = segmentOfPoints(scan, {});
+  ASSERT_GE(segmentOfCar(scan, of_point), 0);
+  EXPECT_EQ(segmentsFrom(first, of_point), std::set<std::int32_t>{segmentOfCar(scan, of_point)});
+  expectNoise(boxAhead(1.0), 11.2F, 0.2F, 1.7F);
+}
+
+TEST(VehicleFragments, OverAVanAnotherIsSeen) { expectNoise(boxAhead(1.65), 11.2F, 0.2F, 1.68F); }
 
 TEST(VehicleFragments, AWallHasNone) {
   test::BoxWorld world;
