@@ -35,7 +35,8 @@ constexpr double kFenceSigma = 0.06;
 
 /// The features under the names that the rules use.
 struct Shape {
-  double length, width, side, bottom, top, smooth, curvature, vertical, topcut, contact, sigma;
+  double length, width, side, bottom, top, smooth, curvature, vertical, topcut, contact, range;
+  double sigma;
 
   explicit Shape(const FeatureVector& f)
       : length(static_cast<double>(f[Feature::kLength])),
@@ -48,6 +49,7 @@ struct Shape {
         vertical(static_cast<double>(f[Feature::kVerticalShare])),
         topcut(static_cast<double>(f[Feature::kTopcut])),
         contact(static_cast<double>(f[Feature::kGroundContact])),
+        range(static_cast<double>(f[Feature::kRange])),
         sigma(std::sqrt(static_cast<double>(f[Feature::kCurvatureChange]) *
                         static_cast<double>(f[Feature::kEigenvalueSum]))) {}
 };
@@ -56,14 +58,10 @@ bool isLeafy(const Shape& s, const ClassConfig& c) {
   return s.smooth < c.leafy_smooth && s.curvature > c.leafy_curvature;
 }
 
-bool isWall(const Shape& s, const ClassConfig& c) {
-  return s.vertical > c.wall_vertical && (s.width < c.wall_thickness || s.sigma < c.wall_sigma);
-}
-
-/// As isLeafy, for what has the size of a vehicle: the parts of one look rough from afar, but most
-/// of its surfaces stand upright.
+/// As isLeafy, for what has the size of a vehicle: the parts of one look rough from afar, but some
+/// of its surfaces are smooth and most stand upright.
 bool isLeafyVehicle(const Shape& s, const ClassConfig& c) {
-  return isLeafy(s, c) && s.vertical < c.leafy_vertical;
+  return isLeafy(s, c) && s.smooth < c.leafy_vehicle && s.vertical < c.leafy_vertical;
 }
 
 /// A bush with the size of a car: rougher than anything on wheels.
@@ -75,16 +73,26 @@ bool isTall(const Shape& s, const ClassConfig& c) {
   return (s.topcut > c.topcut && s.top > c.tall_cut) || s.top > c.tall;
 }
 
+bool hasVehicleSize(const Shape& s) {
+  return s.length <= kVehicleLength && s.width <= kVehicleWidth;
+}
+
+/// A bus in the next lane: the field of view cuts its roof and wheels off, and it is a wall.
+bool isBeside(const Shape& s, const ClassConfig& c) {
+  return s.range < c.beside && hasVehicleSize(s);
+}
+
+bool isWall(const Shape& s, const ClassConfig& c) {
+  return s.vertical > c.wall_vertical && (s.width < c.wall_thickness || s.sigma < c.wall_sigma) &&
+         !isBeside(s, c);
+}
+
 /// A front of a house stands on the ground all along, a bus or truck on its wheels; and it is
 /// longer than they are, or seen as thin as they hardly ever are.
 bool isFront(const Shape& s, const ClassConfig& c) {
   const bool thin = s.width < c.front_width && s.length > c.front_ratio * s.width;
   return s.vertical > c.front_vertical && s.contact > c.front_contact &&
-         (thin || s.length > kVehicleLength);
-}
-
-bool hasVehicleSize(const Shape& s) {
-  return s.length <= kVehicleLength && s.width <= kVehicleWidth;
+         (thin || s.length > kVehicleLength) && !isBeside(s, c);
 }
 
 bool isPerson(const Shape& s) {

@@ -17,6 +17,7 @@ FeatureVector object(float length, float width, float top) {
   f[Feature::kVerticalShare] = 0.5F;
   f[Feature::kCurvatureChange] = 0.1F;
   f[Feature::kEigenvalueSum] = 1.0F;
+  f[Feature::kRange] = 20.0F;
   return f;
 }
 
@@ -59,6 +60,22 @@ TEST(Classifier, RoughMoversAreNoFoliage) {
   FeatureVector tractor = leafy(object(3.2F, 2.6F, 2.7F));
   tractor[Feature::kVerticalShare] = 0.65F;
   EXPECT_TRUE(isTested(classOf(tractor)));
+  FeatureVector van = leafy(object(3.7F, 2.2F, 2.7F));  // 24 m away, its roof seen aslant
+  EXPECT_EQ(classOf(van), ObjectClass::kVegetation);
+  van[Feature::kSmoothShare] = 0.16F;
+  EXPECT_TRUE(isTested(classOf(van)));
+}
+
+TEST(Classifier, ABusInTheNextLaneIsNoWall) {
+  FeatureVector bus = flatWall(object(9.0F, 1.6F, 1.85F));  // roof and wheels cut off
+  bus[Feature::kGroundContact] = 0.2F;
+  EXPECT_EQ(classOf(bus), ObjectClass::kBuilding);
+  bus[Feature::kRange] = 3.5F;
+  EXPECT_TRUE(isTested(classOf(bus)));
+  bus[Feature::kTop] = 2.5F;
+  EXPECT_TRUE(isTested(classOf(bus)));
+  bus[Feature::kLength] = 16.0F;
+  EXPECT_EQ(classOf(bus), ObjectClass::kBuilding) << "longer than a bus";
 }
 
 TEST(Classifier, TheTailOfACarIsNoFence) {
@@ -80,7 +97,7 @@ TEST(Classifier, WhatIsHigherOrWiderThanATruckIsNone) {
 }
 
 TEST(Classifier, AFrontStandsOnTheGroundAndABusOnItsWheels) {
-  FeatureVector front = object(9.0F, 0.8F, 3.0F);
+  FeatureVector front = object(9.0F, 0.6F, 3.0F);
   front[Feature::kVerticalShare] = 0.95F;
   front[Feature::kGroundContact] = 0.6F;
   EXPECT_EQ(classOf(front), ObjectClass::kBuilding);

@@ -226,6 +226,7 @@ struct ClassConfig {
   double tall = 2.6;
   double leafy_smooth = 0.25;
   double leafy_curvature = 0.05;
+  double leafy_vehicle = 0.1;
   double leafy_vertical = 0.6;
   double bush_smooth = 0.05;
   double bush_curvature = 0.10;
@@ -235,8 +236,9 @@ struct ClassConfig {
   double wall_sigma = 0.25;
   double front_vertical = 0.8;
   double front_contact = 0.05;
-  double front_width = 1.0;
+  double front_width = 0.7;
   double front_ratio = 3.0;
+  double beside = 5.0;
   double pole_side = 0.8;
   double pole_bottom = 0.6;
   double large_length = 19.0;
@@ -254,8 +256,10 @@ struct ClassConfig {
     v.number("tall", s.tall, 0.0, 10.0, "m", "any object above this height is tall");
     v.number("leafy_smooth", s.leafy_smooth, 0.0, 1.0, "", "foliage: share of smooth points below");
     v.number("leafy_curvature", s.leafy_curvature, 0.0, 1.0, "", "foliage: local curvature above");
+    v.number("leafy_vehicle", s.leafy_vehicle, 0.0, 1.0, "",
+             "... if as large as a vehicle: share of smooth points below ...");
     v.number("leafy_vertical", s.leafy_vertical, 0.0, 1.0, "",
-             "... and, if tall and as large as a vehicle: share of vertical normals below");
+             "... and share of vertical normals below");
     v.number("bush_smooth", s.bush_smooth, 0.0, 1.0, "",
              "bush as large as a car: share of smooth points below ...");
     v.number("bush_curvature", s.bush_curvature, 0.0, 1.0, "", "... local curvature above ...");
@@ -272,6 +276,8 @@ struct ClassConfig {
     v.number("front_width", s.front_width, 0.0, 20.0, "m", "... and thinner than this ...");
     v.number("front_ratio", s.front_ratio, 1.0, 50.0, "",
              "... by this factor than long, or longer than 13 m");
+    v.number("beside", s.beside, 0.0, 50.0, "m",
+             "wall or front as large as a bus whose middle is nearer: it may be one");
     v.number("pole_side", s.pole_side, 0.0, 5.0, "m", "pole or trunk: tall and no wider ...");
     v.number("pole_bottom", s.pole_bottom, 0.0, 5.0, "m", "... and reaching down to this height");
     v.number("large_length", s.large_length, 1.0, 100.0, "m", "tall and longer: no vehicle");
