@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -16,8 +17,10 @@ namespace segdf {
 
 namespace {
 
-constexpr double kMotionGate = 2.5;  // metres from where an instance is expected
-constexpr double kPartGate = 1.0;    // the same for more or less of it than was seen before
+constexpr double kMotionGate = 2.5;    // metres from where an instance is expected
+constexpr double kMovedGate = 1.0;     // the same for what looks otherwise than before
+constexpr double kVelocityTime = 0.5;  // seconds: the baseline of a velocity
+constexpr float kPartMargin = 0.3F;    // metres
 
 /// Segments of `to` that instance `s` of `from` makes one; fewer than two when it fuses nothing.
 std::vector<std::uint32_t> fusionOf(const KeyFrame& from,
@@ -94,16 +97,20 @@ Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
   return frame.scan.pose * frame.seg.segments[segment].box.center.cast<double>();
 }
 
+double secondsBetween(const KeyFrame& from, const KeyFrame& to) {
+  return to.scan.stampSeconds() - from.scan.stampSeconds();
+}
+
 /// How far from where it is expected an instance may be taken for a segment, metres; negative:
 /// these are not two views of one object that can move. A car shows more of itself as one draws
-/// nearer: what is a part of the other must be where its motion so far leads.
-double gateOf(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
+/// nearer, and of a far one a line or two are seen, high up or low: what does not look alike must
+/// be where its motion so far leads, and so must what was lost for a while.
+double gateOf(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t, bool lost) {
   const Eigen::Vector3f& a = from.seg.segments[f].box.size;
   const Eigen::Vector3f& b = to.seg.segments[t].box.size;
   if (!isMoverSized(a) || !isMoverSized(b)) return -1.0;
-  if (isSameSize(a, b)) return kMotionGate;
-  const bool moved = from.instances[f].velocity.norm() > 0.0;
-  return moved && (isPartOf(a, b) || isPartOf(b, a)) ? kPartGate : -1.0;
+  if (isSameSize(a, b)) return lost ? kMovedGate : kMotionGate;
+  return from.instances[f].velocity.norm() > 0.0 ? kMovedGate : -1.0;
 }
 
 struct MotionLink {
@@ -116,29 +123,77 @@ struct MotionLink {
   }
 };
 
-/// Links of segments without a link so far, by predicted place.
+/// Links of segments without a link so far, by predicted place. Things move along the ground: the
+/// height of the centre says which lasers hit them.
+/// @param lost the instances of `from` were not seen since
 std::vector<MotionLink> motionLinks(const KeyFrame& from,
                                     const KeyFrame& to,
-                                    const std::set<std::uint32_t>& given) {
-  const double dt = to.scan.stampSeconds() - from.scan.stampSeconds();
+                                    const std::set<std::uint32_t>& given,
+                                    bool lost) {
+  const double dt = secondsBetween(from, to);
   std::vector<MotionLink> links;
   for (std::uint32_t f = 0; f < from.instances.size(); ++f) {
     if (given.count(from.instances[f].id) != 0) continue;
     const Eigen::Vector3d predicted = centerOf(from, f) + dt * from.instances[f].velocity;
     for (std::uint32_t t = 0; t < to.instances.size(); ++t) {
       if (to.instances[t].id != 0) continue;
-      const double distance = (centerOf(to, t) - predicted).norm();
+      const double distance = (centerOf(to, t) - predicted).head<2>().norm();
       if (distance > kMotionGate) continue;
-      if (distance <= gateOf(from, f, to, t)) links.push_back({distance, f, t});
+      if (distance <= gateOf(from, f, to, t, lost)) links.push_back({distance, f, t});
     }
   }
   std::sort(links.begin(), links.end());
   return links;
 }
 
-void measureVelocity(const KeyFrame& from, std::size_t f, KeyFrame& to, std::size_t t) {
-  const double dt = to.scan.stampSeconds() - from.scan.stampSeconds();
-  if (dt > 0.0) to.instances[t].velocity = (centerOf(to, t) - centerOf(from, f)) / dt;
+/// From where each instance was half a second ago, or as long as it is known, or in the key frame
+/// before: of far things a single step tells little.
+void measureVelocities(const Window& before, KeyFrame& to) {
+  std::map<std::uint32_t, Instance*> by_id;
+  for (Instance& instance : to.instances) by_id.emplace(instance.id, &instance);
+  for (auto from = before.rbegin(); from != before.rend(); ++from) {
+    const double dt = secondsBetween(**from, to);
+    if (dt <= 0.0 || (dt > kVelocityTime && from != before.rbegin())) break;
+    for (std::size_t f = 0; f < (*from)->instances.size(); ++f) {
+      const auto now = by_id.find((*from)->instances[f].id);
+      if (now == by_id.end()) continue;
+      const auto t = static_cast<std::size_t>(now->second - to.instances.data());
+      now->second->velocity = (centerOf(to, t) - centerOf(**from, f)) / dt;
+    }
+  }
+}
+
+/// A segment's points from above, in the map.
+Eigen::AlignedBox2f areaOf(const KeyFrame& frame, std::size_t segment) {
+  const Eigen::Isometry3f map_T_sensor = frame.scan.pose.cast<float>();
+  Eigen::AlignedBox2f area;
+  for (std::uint32_t i : frame.seg.segments[segment].points) {
+    area.extend((map_T_sensor * frame.scan.points[i].position()).head<2>());
+  }
+  return area;
+}
+
+/// True when the segment of `to` lies within where that of `from` went to.
+bool isPartHere(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
+  const Eigen::Vector3d way = secondsBetween(from, to) * from.instances[f].velocity;
+  const Eigen::Vector2f margin = Eigen::Vector2f::Constant(kPartMargin);
+  Eigen::AlignedBox2f whole = areaOf(from, f).translate(way.head<2>().cast<float>());
+  whole = Eigen::AlignedBox2f(whole.min() - margin, whole.max() + margin);
+  return whole.contains(areaOf(to, t));
+}
+
+/// Names for each segment that no link reached the instance that it was a part of.
+void findParents(const KeyFrame& from, const std::vector<SegmentOverlap>& overlaps, KeyFrame& to) {
+  std::vector<std::uint32_t> most(to.instances.size(), 0);
+  for (std::size_t f = 0; f < overlaps.size(); ++f) {
+    for (const Neighbour& neighbour : overlaps[f].neighbours) {
+      const auto t = static_cast<std::size_t>(neighbour.segment);
+      if (to.instances[t].id != 0 || neighbour.voxels <= most[t]) continue;
+      if (!isPartHere(from, f, to, t)) continue;
+      most[t] = neighbour.voxels;
+      to.instances[t].parent = from.instances[f].id;
+    }
+  }
 }
 
 }  // namespace
@@ -165,23 +220,32 @@ void fuseSegments(const KeyFrame& from,
   for (SegmentOverlap& overlap : overlaps) renumber(groups, overlap);
 }
 
-void passOnIds(const KeyFrame& from,
+void passOnIds(const Window& before,
                KeyFrame& to,
                const std::vector<SegmentOverlap>& overlaps,
                const DynamicConfig& config,
                IdSource& ids) {
   std::set<std::uint32_t> given;
-  const auto give = [&](std::uint32_t f, std::uint32_t t) {
-    std::uint32_t& id = to.instances[t].id;
-    if (id != 0 || !given.insert(from.instances[f].id).second) return;
-    id = from.instances[f].id;
-    measureVelocity(from, f, to, t);
+  const auto give = [&](const Instance& from, Instance& instance) {
+    if (instance.id == 0 && given.insert(from.id).second) instance.id = from.id;
   };
-  for (const Link& link : linksOf(from, overlaps, config.assoc)) give(link.from, link.segment);
-  for (const MotionLink& link : motionLinks(from, to, given)) give(link.from, link.to);
+  const KeyFrame& last = *before.back();
+  for (const Link& link : linksOf(last, overlaps, config.assoc)) {
+    give(last.instances[link.from], to.instances[link.segment]);
+  }
+  for (auto from = before.rbegin(); from != before.rend(); ++from) {
+    const bool lost = *from != &last;
+    if (lost && secondsBetween(**from, to) > kLongestGap) break;
+    for (const MotionLink& link : motionLinks(**from, to, given, lost)) {
+      give((*from)->instances[link.from], to.instances[link.to]);
+    }
+    for (const Instance& instance : (*from)->instances) given.insert(instance.id);
+  }
+  findParents(last, overlaps, to);
   for (Instance& instance : to.instances) {
     if (instance.id == 0) instance.id = ids.next();
   }
+  measureVelocities(before, to);
 }
 
 }  // namespace segdf

@@ -21,7 +21,7 @@ void LiteralFilter::observe(const Window& window) {
   std::vector<SegmentOverlap> overlaps =
       overlapSegments(previous, pointsOfSegments(previous), newest, grid_, threads_);
   fuseSegments(previous, newest, config_, overlaps);
-  passOnIds(previous, newest, overlaps, config_.df, ids_);
+  passOnIds({&previous}, newest, overlaps, config_.df, ids_);
   judge(previous, overlaps);
 }
 

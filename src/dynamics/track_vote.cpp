@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/instance_links.hpp"
 #include "segdf/dynamics/size_match.hpp"
 #include "segdf/dynamics/verdict.hpp"
 
@@ -31,8 +31,11 @@ constexpr double kElsewhere = 2.0;  // metres: farther than views of one car dif
 constexpr int kFoundBeyond = 2;     // scans
 constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
 
+constexpr float kVehicle = 2.5F;  // metres: what is longer is neither walked nor ridden
+constexpr float kWalker = 1.0F;   // metres: hardly any view of a vehicle is shorter
+constexpr double kWalking = 3.0;  // m/s
+
 using Proof = TrackBook::Proof;
-using Proofs = TrackBook::Proofs;
 
 bool isParkedHere(const KeyFrame& frame, std::size_t s, const DynamicConfig& config) {
   return isParked(frame.evidence->votes[s], frame.seg.segments[s].points.size(), config);
@@ -41,7 +44,8 @@ bool isParkedHere(const KeyFrame& frame, std::size_t s, const DynamicConfig& con
 Proof proofOf(const KeyFrame& frame, std::size_t segment) {
   const UprightBox& box = frame.seg.segments[segment].box;
   return {frame.index, box.size, frame.scan.pose * box.center.cast<double>(),
-          std::min(frame.evidence->step, kLongestStep)};
+          std::min(frame.evidence->step, kLongestStep),
+          frame.instances[segment].velocity.head<2>().norm()};
 }
 
 /// True when hardly any member of the track moved, of many. A car that came and stopped is seen
@@ -55,13 +59,22 @@ bool isOutvoted(std::size_t present_members,
          static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
 
+/// True when a proof may be another view of a thing that stands here. It is not longer; height and
+/// width do not count, as what moved at a distance stands beside the sensor now, which sees a part
+/// of its side. And who walks by a parked car, and was one with it for a while, is no view of it.
+bool mayHaveStopped(const Eigen::Vector3f& size, const Proof& proof) {
+  const bool walks = proof.size.x() < kWalker && proof.speed < kWalking;
+  return proof.size.x() <= greatestView(size).x() && !(size.x() > kVehicle && walks);
+}
+
 /// True when the proof may be one of the segment's object: a part of it, or, where hardly anybody
 /// found the segment again, what it is a part of; of what by its class cannot move (a hedge before
 /// which somebody walks), what has its size.
 bool mayBeOf(const Segment& segment, const Proof& proof, bool parked) {
   const Eigen::Vector3f& size = segment.box.size;
   if (!isTested(segment.object_class)) return isSameSize(proof.size, size);
-  return isPartOf(proof.size, size) || (!parked && isPartOf(size, proof.size));
+  if (parked) return mayHaveStopped(size, proof);
+  return isPartOf(proof.size, size) || isPartOf(size, proof.size);
 }
 
 /// Seconds over which the segment's object was proven to move.
@@ -157,9 +170,13 @@ bool TrackBook::moves(const KeyFrame& frame,
 }
 
 std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
-  const auto track = past_.find(id);
-  if (track == past_.end()) return {};
-  const std::vector<Proof>& proofs = track->second;
+  auto past = past_.find(id);
+  for (auto parent = parents_.find(id); past == past_.end() && parent != parents_.end();
+       parent = parents_.find(parent->second.id)) {
+    past = past_.find(parent->second.id);
+  }
+  if (past == past_.end()) return {};
+  const std::vector<Proof>& proofs = past->second.proofs;
   return {proofs.begin(),
           std::lower_bound(proofs.begin(), proofs.end(), first.index,
                            [](const Proof& proof, std::size_t scan) { return proof.scan < scan; })};
@@ -177,17 +194,48 @@ bool TrackBook::isDynamic(const KeyFrame& frame, std::size_t segment) {
   return last.dynamic;
 }
 
+void TrackBook::noteParents(const Window& window) {
+  for (const KeyFrame* frame : window) {
+    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
+      const Instance& instance = frame->instances[s];
+      if (instance.parent != 0) parents_[instance.id] = {instance.parent, frame->index};
+    }
+  }
+}
+
+std::multimap<std::uint32_t, TrackBook::Parent> TrackBook::heirsOf(const KeyFrame& frame) const {
+  std::multimap<std::uint32_t, Parent> heirs;
+  for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
+    const std::uint32_t id = frame.instances[s].id;
+    std::size_t before = frame.index;
+    for (auto parent = parents_.find(id); parent != parents_.end();
+         parent = parents_.find(parent->second.id)) {
+      before = std::min(before, parent->second.scan);
+      heirs.emplace(parent->second.id, Parent{id, before});
+    }
+  }
+  return heirs;
+}
+
 std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& frame,
                                                               const Window& window) {
   judged_.erase(judged_.begin(), judged_.lower_bound(window.front()->index));
+  noteParents(window);
+  const std::multimap<std::uint32_t, Parent> heirs = heirsOf(frame);
   std::map<std::uint32_t, Track> tracks;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) tracks[frame.instances[s].id];
   for (const KeyFrame* other : window) {
     for (std::size_t s = 0; s < other->evidence->votes.size(); ++s) {
-      const auto track = tracks.find(other->instances[s].id);
-      if (track == tracks.end()) continue;
-      ++track->second.members;
-      if (isDynamic(*other, s)) track->second.proofs.push_back(proofOf(*other, s));
+      const std::uint32_t id = other->instances[s].id;
+      const auto track = tracks.find(id);
+      const auto [heir, end] = heirs.equal_range(id);
+      if (track != tracks.end()) ++track->second.members;
+      if ((track == tracks.end() && heir == end) || !isDynamic(*other, s)) continue;
+      const Proof proof = proofOf(*other, s);
+      if (track != tracks.end()) track->second.proofs.push_back(proof);
+      for (auto it = heir; it != end; ++it) {
+        if (other->index < it->second.scan) tracks.at(it->second.id).inherited.push_back(proof);
+      }
     }
   }
   return tracks;
@@ -199,7 +247,8 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
     const Track& track = tracks.at(instance.id);
-    const std::vector<Proof> past = pastOf(instance.id, *window.front());
+    std::vector<Proof> past = pastOf(instance.id, *window.front());
+    past.insert(past.end(), track.inherited.begin(), track.inherited.end());
     if (instance.dynamic && isOutvoted(track.members, track.proofs, past)) {
       instance.dynamic = false;
       instance.reason = Reason::kRestored;
@@ -211,17 +260,23 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
 }
 
 void TrackBook::note(const KeyFrame& frame) {
-  std::set<std::uint32_t> seen;
+  const double now = frame.evidence->time;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     const Instance& instance = frame.instances[s];
-    seen.insert(instance.id);
+    if (past_.count(instance.id) == 0) past_[instance.id].proofs = pastOf(instance.id, frame);
+    Past& past = past_.at(instance.id);
+    past.seen = now;
     if (!instance.dynamic || instance.reason != Reason::kVotes) continue;
-    std::vector<Proof>& proofs = past_[instance.id];
-    if (proofs.size() == kKeptProofs) proofs.erase(proofs.begin() + kKeptProofs / 2);
-    proofs.push_back(proofOf(frame, s));
+    if (past.proofs.size() == kKeptProofs) past.proofs.erase(past.proofs.begin() + kKeptProofs / 2);
+    past.proofs.push_back(proofOf(frame, s));
   }
-  for (auto track = past_.begin(); track != past_.end();) {
-    track = seen.count(track->first) != 0 ? std::next(track) : past_.erase(track);
+  for (auto past = past_.begin(); past != past_.end();) {
+    if (now - past->second.seen <= kLongestGap) {
+      ++past;
+    } else {
+      parents_.erase(past->first);
+      past = past_.erase(past);
+    }
   }
 }
 

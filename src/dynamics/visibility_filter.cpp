@@ -53,7 +53,7 @@ void VisibilityFilter::nameInstances(const Window& window) {
   std::vector<SegmentOverlap> overlaps =
       overlapSegments(previous, placePoints(previous), newest, grid_, threads_);
   fuseSegments(previous, newest, config_, overlaps);
-  passOnIds(previous, newest, overlaps, config_.df, ids_);
+  passOnIds({window.begin(), window.end() - 1}, newest, overlaps, config_.df, ids_);
 }
 
 void VisibilityFilter::compare(const Window& window) {

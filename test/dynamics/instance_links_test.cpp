@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/dynamics/instance_links.hpp"
 
+#include <memory>
+#include <optional>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "support/box_world.hpp"
@@ -44,7 +48,7 @@ TEST_F(FusionTest, TheHalvesBecomeOneInstanceWithTheIdOfTheWhole) {
   ASSERT_NE(segmentAt(*to_, 10.0, 3.85), segmentAt(*to_, 10.0, 6.15));
   fuseSegments(*from_, *to_, config_, overlaps_);
   EXPECT_EQ(to_->seg.segments.size(), before - 1);
-  passOnIds(*from_, *to_, overlaps_, config_.df, ids_);
+  passOnIds({from_.get()}, *to_, overlaps_, config_.df, ids_);
   const std::size_t fused = segmentAt(*to_, 10.0, 5.0);
   EXPECT_TRUE(to_->instances[fused].fused);
   EXPECT_EQ(to_->instances[fused].id, from_->instances[segmentAt(*from_, 10.0, 5.0)].id);
@@ -71,12 +75,14 @@ TEST_F(FusionTest, WhatTogetherIsLargerThanAnObjectStaysApart) {
 }
 
 TEST_F(FusionTest, WithoutFusionOneHalfInheritsTheIdAndTheOtherGetsANewOne) {
-  passOnIds(*from_, *to_, overlaps_, config_.df, ids_);
+  passOnIds({from_.get()}, *to_, overlaps_, config_.df, ids_);
   const std::uint32_t whole = from_->instances[segmentAt(*from_, 10.0, 5.0)].id;
   const std::uint32_t left = to_->instances[segmentAt(*to_, 10.0, 6.15)].id;
   const std::uint32_t right = to_->instances[segmentAt(*to_, 10.0, 3.85)].id;
   EXPECT_NE(left, right);
   EXPECT_TRUE(left == whole || right == whole);
+  const Instance& other = to_->instances[segmentAt(*to_, 10.0, left == whole ? 3.85 : 6.15)];
+  EXPECT_EQ(other.parent, whole);
 }
 
 /// A car of which only the rear end is seen, and 0.3 s later all of it.
@@ -96,8 +102,8 @@ class GrowingCarTest : public ::testing::Test {
     Instance& car = from->instances[segmentAt(*from, 14.0, 8.0)];
     car.velocity.x() = speed;
     const CurvedGrid grid(config_.cvi, config_.input.min_range);
-    passOnIds(*from, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1), config_.df,
-              ids);
+    passOnIds({from.get()}, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1),
+              config_.df, ids);
     return to->instances[segmentAt(*to, 18.5, 8.0)].id == car.id;
   }
 
@@ -107,6 +113,83 @@ class GrowingCarTest : public ::testing::Test {
 TEST_F(GrowingCarTest, KeepsItsIdWhereItsMotionLeads) { EXPECT_TRUE(keepsItsId(15.0)); }
 
 TEST_F(GrowingCarTest, IsAnotherWhereItsMotionDoesNotLead) { EXPECT_FALSE(keepsItsId(8.0)); }
+
+/// A car on a road, scan by scan.
+class RoadTest : public ::testing::Test {
+ protected:
+  /// Takes a scan of a car at x, 8 m to the left; of an empty road where none is given.
+  void scan(double seconds, std::optional<double> x, double height = 1.5) {
+    test::BoxWorld world;
+    world.add(6.0, -9.0, 1.0, 1.0, 1.6);
+    if (x) world.add(*x, 8.0, 4.2, 1.8, height);
+    const auto stamp = static_cast<std::uint64_t>(seconds * 1e9) + 1;
+    frames_.push_back(makeKeyFrame(world.scan(0.0, 0.0, 0.0, stamp), config_));
+    KeyFrame& to = *frames_.back();
+    if (frames_.size() == 1) {
+      for (Instance& instance : to.instances) instance.id = ids_.next();
+      return;
+    }
+    Window before;
+    for (std::size_t k = 0; k + 1 < frames_.size(); ++k) before.push_back(frames_[k].get());
+    const KeyFrame& last = *before.back();
+    passOnIds(before, to, overlapSegments(last, pointsOfSegments(last), to, grid_, 1), config_.df,
+              ids_);
+  }
+
+  const Instance& car(std::size_t frame, double x) const {
+    return frames_[frame]->instances[segmentAt(*frames_[frame], x, 8.0)];
+  }
+
+  Config config_;
+  CurvedGrid grid_{config_.cvi, config_.input.min_range};
+  IdSource ids_;
+  std::vector<std::unique_ptr<KeyFrame>> frames_;
+};
+
+TEST_F(RoadTest, WhatWasHiddenIsTheSameWhereItsMotionLeads) {
+  scan(0.0, 2.0);
+  scan(0.1, 3.0);
+  scan(0.2, {});
+  scan(0.3, {});
+  scan(0.4, 6.0);
+  EXPECT_EQ(car(4, 6.0).id, car(0, 2.0).id);
+  EXPECT_NEAR(car(4, 6.0).velocity.x(), 10.0, 1.0);
+}
+
+TEST_F(RoadTest, NotWhereItDoesNot) {
+  scan(0.0, 2.0);
+  scan(0.1, 3.0);
+  scan(0.2, {});
+  scan(0.3, {});
+  scan(0.4, 8.0);
+  EXPECT_NE(car(4, 8.0).id, car(0, 2.0).id);
+}
+
+TEST_F(RoadTest, NotAfterMoreThanHalfASecond) {
+  scan(0.0, 2.0);
+  scan(0.1, 3.0);
+  for (double seconds : {0.2, 0.3, 0.4, 0.5, 0.6}) scan(seconds, {});
+  scan(0.7, 9.0);
+  EXPECT_NE(car(7, 9.0).id, car(0, 2.0).id);
+}
+
+TEST_F(RoadTest, OfOneThatLooksOtherwiseNowTheHeightOfItsCentreSaysNothing) {
+  scan(0.0, 0.0);
+  scan(0.1, 2.0);
+  scan(0.2, 4.0, 3.4);
+  EXPECT_EQ(car(2, 4.0).id, car(0, 0.0).id);
+}
+
+TEST_F(RoadTest, AVelocityIsTakenOverHalfASecond) {
+  for (int k = 0; k < 6; ++k) scan(0.1 * k, 1.0 * k + (k == 5 ? 0.3 : 0.0));
+  EXPECT_NEAR(car(5, 5.3).velocity.x(), 10.6, 0.5) << "13 m/s by the last step";
+}
+
+TEST_F(RoadTest, WhatComesBesideAMoverIsNoPartOfIt) {
+  scan(0.0, 2.0);
+  scan(0.1, 3.0);
+  for (const Instance& instance : frames_[1]->instances) EXPECT_EQ(instance.parent, 0U);
+}
 
 }  // namespace
 }  // namespace segdf

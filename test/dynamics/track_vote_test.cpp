@@ -30,6 +30,7 @@ class TrackVote : public ::testing::Test {
     frame->instances[0].id = 7;
     frame->evidence = std::make_shared<FrameEvidence>(prepareEvidence(KeyFrame{}, config_));
     frame->evidence->step = step;
+    frame->evidence->time = time_ += step;
     frame->evidence->votes.resize(1);
     window_.push_back(frame.get());
     frames_.push_back(std::move(frame));
@@ -76,6 +77,7 @@ class TrackVote : public ::testing::Test {
   DynamicConfig config_;
   std::vector<std::unique_ptr<KeyFrame>> frames_;
   Window window_;
+  double time_ = 0.0;
 };
 
 TEST_F(TrackVote, WhatStoppedGoesAfterThreeQuartersOfASecondOfMotionAtTenHertz) {
@@ -166,9 +168,9 @@ TEST_F(TrackVote, WhoSawThroughItBeforeItsTrackMovedDidNotSeeItLeave) {
   EXPECT_FALSE(parked.instances[0].dynamic);
 }
 
-TEST_F(TrackVote, WhoWalksBeforeAHedgeDoesNotTakeItAlong) {
-  const Eigen::Vector3f walker(0.6F, 0.5F, 1.7F);
-  for (int k = 0; k < 20; ++k) addMoving(1.0 * k, 0.1, walker);
+TEST_F(TrackVote, WhoRidesBeforeAHedgeDoesNotTakeItAlong) {
+  const Eigen::Vector3f rider(1.8F, 0.6F, 1.7F);
+  for (int k = 0; k < 20; ++k) addMoving(1.0 * k, 0.1, rider);
   KeyFrame& hedge = addStanding(24.0, 0.1);
   hedge.seg.segments[0].object_class = ObjectClass::kVegetation;
   EXPECT_FALSE(goes());
@@ -195,6 +197,76 @@ TEST_F(TrackVote, APartOfWhatMovedStaysWhereThatNeverWent) {
   for (int k = 0; k < 20; ++k) addMoving(8.0, 0.1);
   add(8.9, rear, 0.1);
   EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackVote, OfWhatStandsBesideTheSensorASideIsSeen) {
+  const Eigen::Vector3f lorry(8.0F, 2.5F, 3.4F);
+  for (int k = 0; k < 8; ++k) addMoving(3.0 * k, 0.1, lorry);
+  addStanding(24.0, 0.1).seg.segments[0].box.size = Eigen::Vector3f(7.7F, 1.0F, 2.2F);
+  EXPECT_TRUE(goes());
+  addStanding(24.0, 0.1);
+  EXPECT_FALSE(goes()) << "a parked car that the lorry has driven by";
+}
+
+TEST_F(TrackVote, WhoWalksByAParkedCarDoesNotTakeItAlong) {
+  const Eigen::Vector3f narrow(0.7F, 0.5F, 1.7F);
+  for (int k = 0; k < 20; ++k) {
+    addMoving(0.1 * k, 0.1, narrow);
+    frames_.back()->instances[0].velocity.x() = 1.4;
+  }
+  addStanding(6.0, 0.1);
+  EXPECT_FALSE(goes());
+  addStanding(6.0, 0.1).seg.segments[0].box.size = narrow;
+  EXPECT_TRUE(goes()) << "who walked, and stopped";
+  for (const auto& frame : frames_) frame->instances[0].velocity.x() = 8.0;
+  addStanding(6.0, 0.1);
+  EXPECT_TRUE(goes()) << "nobody walks so fast: of the car only an edge was seen";
+}
+
+TEST_F(TrackVote, WhatCameOffAMoverInheritsItsMotion) {
+  for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
+  KeyFrame& frame = addStanding(8.0, 0.1);
+  frame.instances[0].id = 8;
+  EXPECT_FALSE(goes());
+  frame.instances[0].parent = 7;
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackVote, WhatCameOffAMoverDoesNotInheritItsLaterMotion) {
+  KeyFrame& first = addStanding(8.0, 0.1);
+  first.instances[0].id = 8;
+  first.instances[0].parent = 7;
+  for (int k = 0; k < 8; ++k) addMoving(9.0 + k, 0.1);
+  TrackBook(config_).propagate(window_, 0);
+  EXPECT_FALSE(first.instances[0].dynamic);
+}
+
+TEST_F(TrackVote, WhatIsInheritedOutlastsTheWindow) {
+  TrackBook tracks(config_);
+  moveThroughTheWindow(tracks);
+  for (int k = 0; k < 2; ++k) {
+    KeyFrame& frame = addStanding(8.0, 0.1);
+    frame.instances[0].id = 8 + static_cast<std::uint32_t>(k);
+    frame.instances[0].parent = 7 + static_cast<std::uint32_t>(k);
+    tracks.propagate(window_, 0);
+    EXPECT_TRUE(frame.instances[0].dynamic);
+    tracks.note(frame);
+    window_.clear();
+  }
+}
+
+TEST_F(TrackVote, WhatWasLostForHalfASecondIsTheSame) {
+  for (double gap : {0.4, 0.6}) {
+    TrackBook tracks(config_);
+    moveThroughTheWindow(tracks);
+    add(50.0, kCar, gap).instances[0].id = 9;
+    tracks.note(*frames_.back());
+    window_.clear();
+    addStanding(8.0, 0.05);
+    tracks.propagate(window_, 0);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, gap < 0.5) << gap;
+    window_.clear();
+  }
 }
 
 TEST_F(TrackVote, AtTheEndOfADriveNoProofCountsTwice) {

@@ -15,7 +15,7 @@ namespace segdf {
 /// What the dynamic filter knows of one segment: instance and verdict.
 struct Instance {
   std::uint32_t id = 0;      ///< global instance id; 0 until given
-  std::uint32_t parent = 0;  ///< instance from which it was split, 0 = none
+  std::uint32_t parent = 0;  ///< instance that it was a part of, here or a key frame ago, 0 = none
   bool dynamic = false;
   bool fused = false;
   std::uint32_t static_votes = 0;   ///< HS

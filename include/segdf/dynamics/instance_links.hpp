@@ -18,12 +18,19 @@ void fuseSegments(const KeyFrame& from,
                   const Config& config,
                   std::vector<SegmentOverlap>& overlaps);
 
-/// Gives the instances of `to` their ids. Links of at least df.assoc are taken by falling number of
-/// common voxels, then smaller id, as long as both ends are free. What is left is linked where a
-/// segment of like size lies nearest to where an instance went on to, at most 2.5 m off: things
-/// that are small or fast do not overlap with themselves. Segments that no link reaches get new
-/// ids.
-void passOnIds(const KeyFrame& from,
+/// An instance that no segment continues is looked for so long, seconds.
+inline constexpr double kLongestGap = 0.5;
+
+/// Gives the instances of `to` their ids and velocities. Links with the last frame of at least
+/// df.assoc are taken by falling number of common voxels, then smaller id, as long as both ends are
+/// free. What is left is linked where a segment lies nearest to where an instance went on to, as
+/// seen from above: things that are small or fast do not overlap with themselves. At most 2.5 m off
+/// when it has a like size, 1 m when the instance moved and looks otherwise now, or was lost since
+/// an older frame. Segments that no link reaches get new ids; those that lie in an instance of the
+/// last frame, and touch it, have it as their parent.
+/// @param before the key frames before `to`, oldest first, at least one
+/// @param overlaps of the instances of the last of them
+void passOnIds(const Window& before,
                KeyFrame& to,
                const std::vector<SegmentOverlap>& overlaps,
                const DynamicConfig& config,

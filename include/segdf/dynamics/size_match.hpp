@@ -5,10 +5,16 @@
 
 namespace segdf {
 
-/// May a thing of size `part` be seen of one of size `whole` (length, width, height; metres)? From
-/// afar, or from behind others, a part is seen. Views of one object differ by 30 % and 0.3 m.
+/// The greatest size (length, width, height; metres) that another view of a thing of this size may
+/// have: views of one object differ by 30 % and 0.3 m.
+inline Eigen::Vector3f greatestView(const Eigen::Vector3f& size) {
+  return 1.3F * size + Eigen::Vector3f::Constant(0.3F);
+}
+
+/// May a thing of size `part` be seen of one of size `whole`? From afar, or from behind others, a
+/// part is seen.
 inline bool isPartOf(const Eigen::Vector3f& part, const Eigen::Vector3f& whole) {
-  return (part.array() <= 1.3F * whole.array() + 0.3F).all();
+  return (part.array() <= greatestView(whole).array()).all();
 }
 
 /// May both be views of one object?

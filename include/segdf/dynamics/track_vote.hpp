@@ -14,13 +14,15 @@ namespace segdf {
 /// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic
 /// when its track was proven to move: by at least two members of its size in the window, or for
 /// 0.75 s, in the past too, by members of which it may be a part, or which may be parts of it, and
-/// away from here. What was itself found again over and over goes only when df.semi_static says
-/// that what moved at any time goes (a car that stops at lights), and its track moved for 0.75 s
-/// so, is no larger, and either moved before, or some scan saw through the segment since: what
-/// leaves opens its place. Nothing goes where it was found again by frames in which the track moved
-/// elsewhere, or on the other side of these in time: then another object stands here, and the id
-/// has passed on to it. What the votes make dynamic is restored when hardly any of many members of
-/// its track are (compensation). Memory: tracks that have left the window are forgotten.
+/// away from here. The motion of what it was a part of counts, too. What was itself found again
+/// over and over goes only when df.semi_static says that what moved at any time goes (a car that
+/// stops at lights), and its track moved for 0.75 s so, by members that are no longer than it is,
+/// nor a walker's, and either moved before, or some scan saw through the segment since:
+/// what leaves opens its place. Nothing goes where it was found again by frames in which the track
+/// moved elsewhere, or on the other side of these in time: then another object stands here, and the
+/// id has passed on to it. What the votes make dynamic is restored when hardly any of many members
+/// of its track are (compensation). Memory: tracks that have left the window, and that nothing can
+/// continue any more, are forgotten.
 class TrackBook {
  public:
   /// An instance that the votes made dynamic.
@@ -29,10 +31,8 @@ class TrackBook {
     Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
     double seconds = 0.0;                              ///< of motion that it stands for
+    double speed = 0.0;                                ///< of its centre, seen from above, m/s
   };
-  /// By id; those of one id in the order of their scans.
-  using Proofs = std::map<std::uint32_t, std::vector<Proof>>;
-
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
 
   /// Makes instances of the frame dynamic, or static again, by their tracks. Verdicts by votes are
@@ -46,7 +46,8 @@ class TrackBook {
   /// What the window holds of one id.
   struct Track {
     std::size_t members = 0;
-    std::vector<Proof> proofs;  ///< members that the votes make dynamic so far
+    std::vector<Proof> inherited;  ///< from what it was a part of
+    std::vector<Proof> proofs;     ///< members that the votes make dynamic so far
   };
   /// What so many votes make of an instance.
   struct Judgement {
@@ -54,10 +55,24 @@ class TrackBook {
     bool dynamic = false;
   };
 
+  /// What frames that left the window told of an id.
+  struct Past {
+    std::vector<Proof> proofs;  ///< in the order of their scans
+    double seen = 0.0;          ///< when it was last, seconds
+  };
+  /// Of which instance, before which scan, one was a part.
+  struct Parent {
+    std::uint32_t id = 0;
+    std::size_t scan = 0;
+  };
+
+  void noteParents(const Window& window);
+  /// By id: who inherits from it.
+  std::multimap<std::uint32_t, Parent> heirsOf(const KeyFrame& frame) const;
   /// Of the ids that a frame has.
   std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
   bool isDynamic(const KeyFrame& frame, std::size_t segment);
-  /// Proofs of scans before the window's first.
+  /// Proofs of scans before the window's first, of the id or of what it was a part of.
   std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;
   bool moves(const KeyFrame& frame,
              std::size_t segment,
@@ -65,7 +80,8 @@ class TrackBook {
              const std::vector<Proof>& present) const;
 
   DynamicConfig config_;
-  Proofs past_;  ///< of tracks that the last frame had
+  std::map<std::uint32_t, Past> past_;       ///< of what may yet be seen again
+  std::map<std::uint32_t, Parent> parents_;  ///< by id; of these and what the window holds
   /// By the frame's number, for each segment: votes only ever come on top of others.
   std::map<std::size_t, std::vector<Judgement>> judged_;
 };
