@@ -20,6 +20,7 @@ constexpr double kJitter = 0.05;     // seconds
 constexpr std::uint32_t kBlock = 64;
 constexpr std::uint32_t kStride = 4;
 constexpr std::uint32_t kEnoughPlaces = 32;  // of a segment, for some to speak for all
+constexpr std::uint32_t kMany = 256;         // the same, for what it touches in the next key frame
 
 /// Voxels by segment, those of no segment last: [begin[s], begin[s + 1]) of the list.
 std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
@@ -157,9 +158,14 @@ void listPlaces(KeyFrame& frame) {
 
 PointsBySegment placePoints(const KeyFrame& frame) {
   const FrameEvidence& evidence = *frame.evidence;
-  PointsBySegment result{{evidence.begin.begin(), evidence.begin.end() - 1}, {}};
-  for (std::uint32_t k = 0; k < result.begin.back(); ++k) {
-    result.points.push_back(evidence.listed[evidence.first[k]]);
+  PointsBySegment result{{0}, {}};
+  for (std::size_t s = 0; s + 2 < evidence.begin.size(); ++s) {
+    const std::uint32_t count = evidence.begin[s + 1] - evidence.begin[s];
+    const std::uint32_t step = count < kMany ? 1 : kStride;
+    for (std::uint32_t k = evidence.begin[s]; k < evidence.begin[s + 1]; k += step) {
+      result.points.push_back(evidence.listed[evidence.first[k]]);
+    }
+    result.begin.push_back(static_cast<std::uint32_t>(result.points.size()));
   }
   return result;
 }

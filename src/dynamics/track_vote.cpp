@@ -29,6 +29,7 @@ constexpr double kFewDynamic = 0.1;  // share of the members
 
 constexpr double kElsewhere = 2.0;  // metres: farther than views of one car differ
 constexpr int kFoundBeyond = 2;     // scans
+constexpr int kOftenApart = 3;      // instances of an id that stood apart from what moved
 constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
 
 constexpr float kVehicle = 2.5F;  // metres: what is longer is neither walked nor ridden
@@ -156,17 +157,38 @@ bool staysBehind(const KeyFrame& frame,
 bool TrackBook::moves(const KeyFrame& frame,
                       std::size_t s,
                       const std::vector<Proof>& past,
-                      const std::vector<Proof>& present) const {
+                      const std::vector<Proof>& present) {
   const Segment& segment = frame.seg.segments[s];
+  const std::uint32_t id = frame.instances[s].id;
   const auto alike = [&](const Proof& proof) { return isSameSize(proof.size, segment.box.size); };
   const bool parked = isParkedHere(frame, s, config_);
   if (!parked && std::count_if(present.begin(), present.end(), alike) >= kProofs) return true;
   if (parked && config_.semi_static != SemiStatic::kRemove) return false;
   std::vector<Proof> proofs = past;
   proofs.insert(proofs.end(), present.begin(), present.end());
-  return secondsOfMotion(proofs, segment, parked) >= kStrongSeconds &&
-         wentAway(proofs, proofOf(frame, s)) && !standsApart(frame, s, proofs, config_) &&
-         !(parked && staysBehind(frame, s, proofs, config_));
+  forgetOthers(id, proofs);
+  if (secondsOfMotion(proofs, segment, parked) < kStrongSeconds ||
+      !wentAway(proofs, proofOf(frame, s))) {
+    return false;
+  }
+  const bool apart = standsApart(frame, s, proofs, config_);
+  if (apart && parked) noteApart(id, frame.index);
+  return !apart && !(parked && staysBehind(frame, s, proofs, config_));
+}
+
+void TrackBook::noteApart(std::uint32_t id, std::size_t scan) {
+  Apart& apart = apart_[id];
+  ++apart.times;
+  apart.last = scan;
+}
+
+void TrackBook::forgetOthers(std::uint32_t id, std::vector<Proof>& proofs) const {
+  const auto apart = apart_.find(id);
+  if (apart == apart_.end() || apart->second.times < kOftenApart) return;
+  const auto others = std::remove_if(proofs.begin(), proofs.end(), [&](const Proof& proof) {
+    return proof.scan <= apart->second.last;
+  });
+  proofs.erase(others, proofs.end());
 }
 
 std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
@@ -274,6 +296,7 @@ void TrackBook::note(const KeyFrame& frame) {
     if (now - past->second.seen <= kLongestGap) {
       ++past;
     } else {
+      apart_.erase(past->first);
       parents_.erase(past->first);
       past = past_.erase(past);
     }

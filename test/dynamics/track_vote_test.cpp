@@ -140,6 +140,19 @@ TEST_F(TrackVote, WhatIsFoundAgainAfterTheTrackHasMovedOnIsAnotherObject) {
   EXPECT_FALSE(parked.instances[0].dynamic);
 }
 
+TEST_F(TrackVote, AfterThreeTimesTheTracksMotionCountsNoMore) {
+  for (int others : {2, 3}) {
+    for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
+    const std::size_t moving = frames_.size() - 6;
+    for (int k = 0; k < others; ++k) addStanding(8.0, 0.1, moving);
+    addStanding(8.0, 0.1, 1000);  // nobody who looked knows that it is another
+    TrackBook tracks(config_);
+    for (std::size_t k = 8; k < window_.size(); ++k) tracks.propagate(window_, k);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, others == 2) << others;
+    window_.clear();
+  }
+}
+
 TEST_F(TrackVote, NotIfOneSawThroughItOnceTheTrackWasGone) {
   KeyFrame& leaving = addStanding(0.0, 0.1, 9);
   leaving.evidence->votes[0].push_back({8, 0.8F, kPoints, 0, true});

@@ -73,7 +73,8 @@ FrameEvidence prepareEvidence(const KeyFrame& frame, const DynamicConfig& config
 /// Lists the places of the segments, for which nothing has been answered yet.
 void listPlaces(KeyFrame& frame);
 
-/// One point for each place of the segments.
+/// One point for each place of the segments; of those with 256 places and more for every fourth,
+/// which tells as well which segments they touch.
 PointsBySegment placePoints(const KeyFrame& frame);
 
 /// The answers, for each point of the scan; no answers for points that are in no voxel.

@@ -60,6 +60,11 @@ class TrackBook {
     std::vector<Proof> proofs;  ///< in the order of their scans
     double seen = 0.0;          ///< when it was last, seconds
   };
+  /// Instances of an id that stood apart from what moved.
+  struct Apart {
+    int times = 0;
+    std::size_t last = 0;  ///< scan
+  };
   /// Of which instance, before which scan, one was a part.
   struct Parent {
     std::uint32_t id = 0;
@@ -72,15 +77,20 @@ class TrackBook {
   /// Of the ids that a frame has.
   std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
   bool isDynamic(const KeyFrame& frame, std::size_t segment);
+  /// Notes that an instance of the track is another object than what moved.
+  void noteApart(std::uint32_t id, std::size_t scan);
+  /// Takes out what moved before the id passed on to another object.
+  void forgetOthers(std::uint32_t id, std::vector<Proof>& proofs) const;
   /// Proofs of scans before the window's first, of the id or of what it was a part of.
   std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;
   bool moves(const KeyFrame& frame,
              std::size_t segment,
              const std::vector<Proof>& past,
-             const std::vector<Proof>& present) const;
+             const std::vector<Proof>& present);
 
   DynamicConfig config_;
   std::map<std::uint32_t, Past> past_;       ///< of what may yet be seen again
+  std::map<std::uint32_t, Apart> apart_;     ///< of these
   std::map<std::uint32_t, Parent> parents_;  ///< by id; of these and what the window holds
   /// By the frame's number, for each segment: votes only ever come on top of others.
   std::map<std::size_t, std::vector<Judgement>> judged_;
