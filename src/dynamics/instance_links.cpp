@@ -20,7 +20,7 @@ namespace {
 constexpr double kMotionGate = 2.5;    // metres from where an instance is expected
 constexpr double kMovedGate = 1.0;     // the same for what looks otherwise than before
 constexpr double kVelocityTime = 0.5;  // seconds: the baseline of a velocity
-constexpr float kPartMargin = 0.3F;    // metres
+constexpr double kPartMargin = 0.3;    // metres
 
 /// Segments of `to` that instance `s` of `from` makes one; fewer than two when it fuses nothing.
 std::vector<std::uint32_t> fusionOf(const KeyFrame& from,
@@ -164,11 +164,11 @@ void measureVelocities(const Window& before, KeyFrame& to) {
 }
 
 /// A segment's points from above, in the map.
-Eigen::AlignedBox2f areaOf(const KeyFrame& frame, std::size_t segment) {
-  const Eigen::Isometry3f map_T_sensor = frame.scan.pose.cast<float>();
-  Eigen::AlignedBox2f area;
+Eigen::AlignedBox2d areaOf(const KeyFrame& frame, std::size_t segment) {
+  Eigen::AlignedBox2d area;
   for (std::uint32_t i : frame.seg.segments[segment].points) {
-    area.extend((map_T_sensor * frame.scan.points[i].position()).head<2>());
+    const Eigen::Vector3d x = frame.scan.pose * frame.scan.points[i].position().cast<double>();
+    area.extend(x.head<2>());
   }
   return area;
 }
@@ -176,9 +176,9 @@ Eigen::AlignedBox2f areaOf(const KeyFrame& frame, std::size_t segment) {
 /// True when the segment of `to` lies within where that of `from` went to.
 bool isPartHere(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
   const Eigen::Vector3d way = secondsBetween(from, to) * from.instances[f].velocity;
-  const Eigen::Vector2f margin = Eigen::Vector2f::Constant(kPartMargin);
-  Eigen::AlignedBox2f whole = areaOf(from, f).translate(way.head<2>().cast<float>());
-  whole = Eigen::AlignedBox2f(whole.min() - margin, whole.max() + margin);
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kPartMargin);
+  const Eigen::AlignedBox2d area = areaOf(from, f).translate(way.head<2>());
+  const Eigen::AlignedBox2d whole(area.min() - margin, area.max() + margin);
   return whole.contains(areaOf(to, t));
 }
 

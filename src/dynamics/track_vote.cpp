@@ -2,6 +2,7 @@
 #include "segdf/dynamics/track_vote.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "segdf/classification/classifier.hpp"
@@ -293,7 +294,7 @@ void TrackBook::note(const KeyFrame& frame) {
     past.proofs.push_back(proofOf(frame, s));
   }
   for (auto past = past_.begin(); past != past_.end();) {
-    if (now - past->second.seen <= kLongestGap) {
+    if (std::abs(now - past->second.seen) <= kLongestGap) {
       ++past;
     } else {
       apart_.erase(past->first);
