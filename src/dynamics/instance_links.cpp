@@ -149,16 +149,16 @@ std::vector<MotionLink> motionLinks(const KeyFrame& from,
 /// From where each instance was half a second ago, or as long as it is known, or in the key frame
 /// before: of far things a single step tells little.
 void measureVelocities(const Window& before, KeyFrame& to) {
-  std::map<std::uint32_t, Instance*> by_id;
-  for (Instance& instance : to.instances) by_id.emplace(instance.id, &instance);
+  std::map<std::uint32_t, std::size_t> segment_of;
+  for (std::size_t t = 0; t < to.instances.size(); ++t) segment_of.emplace(to.instances[t].id, t);
   for (auto from = before.rbegin(); from != before.rend(); ++from) {
     const double dt = secondsBetween(**from, to);
     if (dt <= 0.0 || (dt > kVelocityTime && from != before.rbegin())) break;
     for (std::size_t f = 0; f < (*from)->instances.size(); ++f) {
-      const auto now = by_id.find((*from)->instances[f].id);
-      if (now == by_id.end()) continue;
-      const auto t = static_cast<std::size_t>(now->second - to.instances.data());
-      now->second->velocity = (centerOf(to, t) - centerOf(**from, f)) / dt;
+      const auto now = segment_of.find((*from)->instances[f].id);
+      if (now == segment_of.end()) continue;
+      const std::size_t t = now->second;
+      to.instances[t].velocity = (centerOf(to, t) - centerOf(**from, f)) / dt;
     }
   }
 }

@@ -153,6 +153,41 @@ bool staysBehind(const KeyFrame& frame,
          });
 }
 
+/// Of which instance, before which scan, one was a part.
+struct Parent {
+  std::uint32_t id = 0;
+  std::size_t scan = 0;
+};
+
+std::map<std::uint32_t, Parent> parentsIn(const Window& window) {
+  std::map<std::uint32_t, Parent> parents;
+  for (const KeyFrame* frame : window) {
+    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
+      const Instance& instance = frame->instances[s];
+      if (instance.parent != 0) parents[instance.id] = {instance.parent, frame->index};
+    }
+  }
+  return parents;
+}
+
+/// By id: which of a frame's ids inherit from it what it did before which scan.
+using Heirs = std::multimap<std::uint32_t, Parent>;
+
+Heirs heirsOf(const KeyFrame& frame, const Window& window) {
+  const std::map<std::uint32_t, Parent> parents = parentsIn(window);
+  Heirs heirs;
+  for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
+    const std::uint32_t id = frame.instances[s].id;
+    std::size_t before = frame.index;
+    for (auto parent = parents.find(id); parent != parents.end();
+         parent = parents.find(parent->second.id)) {
+      before = std::min(before, parent->second.scan);
+      heirs.emplace(parent->second.id, Parent{id, before});
+    }
+  }
+  return heirs;
+}
+
 }  // namespace
 
 bool TrackBook::moves(const KeyFrame& frame,
@@ -173,36 +208,37 @@ bool TrackBook::moves(const KeyFrame& frame,
     return false;
   }
   const bool apart = standsApart(frame, s, proofs, config_);
-  if (apart && parked) noteApart(id, frame.index);
+  if (apart && parked) {
+    ++past_[id].apart;
+    past_[id].last_apart = frame.index;
+  }
   return !apart && !(parked && staysBehind(frame, s, proofs, config_));
 }
 
-void TrackBook::noteApart(std::uint32_t id, std::size_t scan) {
-  Apart& apart = apart_[id];
-  ++apart.times;
-  apart.last = scan;
-}
-
 void TrackBook::forgetOthers(std::uint32_t id, std::vector<Proof>& proofs) const {
-  const auto apart = apart_.find(id);
-  if (apart == apart_.end() || apart->second.times < kOftenApart) return;
+  const auto past = past_.find(id);
+  if (past == past_.end() || past->second.apart < kOftenApart) return;
   const auto others = std::remove_if(proofs.begin(), proofs.end(), [&](const Proof& proof) {
-    return proof.scan <= apart->second.last;
+    return proof.scan <= past->second.last_apart;
   });
   proofs.erase(others, proofs.end());
 }
 
 std::vector<Proof> TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
-  auto past = past_.find(id);
-  for (auto parent = parents_.find(id); past == past_.end() && parent != parents_.end();
-       parent = parents_.find(parent->second.id)) {
-    past = past_.find(parent->second.id);
-  }
+  const auto past = past_.find(id);
   if (past == past_.end()) return {};
   const std::vector<Proof>& proofs = past->second.proofs;
   return {proofs.begin(),
           std::lower_bound(proofs.begin(), proofs.end(), first.index,
                            [](const Proof& proof, std::size_t scan) { return proof.scan < scan; })};
+}
+
+void TrackBook::inherit(const KeyFrame& frame) {
+  for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
+    const Instance& instance = frame.instances[s];
+    if (instance.parent == 0 || past_.count(instance.id) != 0) continue;
+    past_[instance.id].proofs = pastOf(instance.parent, frame);
+  }
 }
 
 bool TrackBook::isDynamic(const KeyFrame& frame, std::size_t segment) {
@@ -217,34 +253,10 @@ bool TrackBook::isDynamic(const KeyFrame& frame, std::size_t segment) {
   return last.dynamic;
 }
 
-void TrackBook::noteParents(const Window& window) {
-  for (const KeyFrame* frame : window) {
-    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
-      const Instance& instance = frame->instances[s];
-      if (instance.parent != 0) parents_[instance.id] = {instance.parent, frame->index};
-    }
-  }
-}
-
-std::multimap<std::uint32_t, TrackBook::Parent> TrackBook::heirsOf(const KeyFrame& frame) const {
-  std::multimap<std::uint32_t, Parent> heirs;
-  for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
-    const std::uint32_t id = frame.instances[s].id;
-    std::size_t before = frame.index;
-    for (auto parent = parents_.find(id); parent != parents_.end();
-         parent = parents_.find(parent->second.id)) {
-      before = std::min(before, parent->second.scan);
-      heirs.emplace(parent->second.id, Parent{id, before});
-    }
-  }
-  return heirs;
-}
-
 std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& frame,
                                                               const Window& window) {
   judged_.erase(judged_.begin(), judged_.lower_bound(window.front()->index));
-  noteParents(window);
-  const std::multimap<std::uint32_t, Parent> heirs = heirsOf(frame);
+  const Heirs heirs = heirsOf(frame, window);
   std::map<std::uint32_t, Track> tracks;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) tracks[frame.instances[s].id];
   for (const KeyFrame* other : window) {
@@ -266,6 +278,7 @@ std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& fr
 
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
+  inherit(frame);
   const std::map<std::uint32_t, Track> tracks = tracksOf(frame, window);
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
@@ -286,21 +299,15 @@ void TrackBook::note(const KeyFrame& frame) {
   const double now = frame.evidence->time;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     const Instance& instance = frame.instances[s];
-    if (past_.count(instance.id) == 0) past_[instance.id].proofs = pastOf(instance.id, frame);
-    Past& past = past_.at(instance.id);
+    Past& past = past_[instance.id];
     past.seen = now;
     if (!instance.dynamic || instance.reason != Reason::kVotes) continue;
     if (past.proofs.size() == kKeptProofs) past.proofs.erase(past.proofs.begin() + kKeptProofs / 2);
     past.proofs.push_back(proofOf(frame, s));
   }
   for (auto past = past_.begin(); past != past_.end();) {
-    if (std::abs(now - past->second.seen) <= kLongestGap) {
-      ++past;
-    } else {
-      apart_.erase(past->first);
-      parents_.erase(past->first);
-      past = past_.erase(past);
-    }
+    const bool kept = std::abs(now - past->second.seen) <= kLongestGap;
+    past = kept ? std::next(past) : past_.erase(past);
   }
 }
 

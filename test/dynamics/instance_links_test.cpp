@@ -136,6 +136,15 @@ class RoadTest : public ::testing::Test {
               ids_);
   }
 
+  /// It drives from 2 to 3 m in two scans, is not seen in the next two, and is at x in the fifth.
+  void hideUntil(double x) {
+    scan(0.0, 2.0);
+    scan(0.1, 3.0);
+    scan(0.2, {});
+    scan(0.3, {});
+    scan(0.4, x);
+  }
+
   const Instance& car(std::size_t frame, double x) const {
     return frames_[frame]->instances[segmentAt(*frames_[frame], x, 8.0)];
   }
@@ -147,21 +156,13 @@ class RoadTest : public ::testing::Test {
 };
 
 TEST_F(RoadTest, WhatWasHiddenIsTheSameWhereItsMotionLeads) {
-  scan(0.0, 2.0);
-  scan(0.1, 3.0);
-  scan(0.2, {});
-  scan(0.3, {});
-  scan(0.4, 6.0);
+  hideUntil(6.0);
   EXPECT_EQ(car(4, 6.0).id, car(0, 2.0).id);
   EXPECT_NEAR(car(4, 6.0).velocity.x(), 10.0, 1.0);
 }
 
 TEST_F(RoadTest, NotWhereItDoesNot) {
-  scan(0.0, 2.0);
-  scan(0.1, 3.0);
-  scan(0.2, {});
-  scan(0.3, {});
-  scan(0.4, 8.0);
+  hideUntil(8.0);
   EXPECT_NE(car(4, 8.0).id, car(0, 2.0).id);
 }
 

@@ -55,33 +55,22 @@ class TrackBook {
     bool dynamic = false;
   };
 
-  /// What frames that left the window told of an id.
+  /// What decided frames told of an id.
   struct Past {
-    std::vector<Proof> proofs;  ///< in the order of their scans
-    double seen = 0.0;          ///< when it was last, seconds
-  };
-  /// Instances of an id that stood apart from what moved.
-  struct Apart {
-    int times = 0;
-    std::size_t last = 0;  ///< scan
-  };
-  /// Of which instance, before which scan, one was a part.
-  struct Parent {
-    std::uint32_t id = 0;
-    std::size_t scan = 0;
+    std::vector<Proof> proofs;   ///< its own and inherited ones, in the order of their scans
+    double seen = 0.0;           ///< when it was last, seconds
+    int apart = 0;               ///< instances that stood apart from what moved
+    std::size_t last_apart = 0;  ///< scan of the last of these
   };
 
-  void noteParents(const Window& window);
-  /// By id: who inherits from it.
-  std::multimap<std::uint32_t, Parent> heirsOf(const KeyFrame& frame) const;
+  /// Gives what a frame's new ids came off to them.
+  void inherit(const KeyFrame& frame);
   /// Of the ids that a frame has.
   std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
   bool isDynamic(const KeyFrame& frame, std::size_t segment);
-  /// Notes that an instance of the track is another object than what moved.
-  void noteApart(std::uint32_t id, std::size_t scan);
   /// Takes out what moved before the id passed on to another object.
   void forgetOthers(std::uint32_t id, std::vector<Proof>& proofs) const;
-  /// Proofs of scans before the window's first, of the id or of what it was a part of.
+  /// Proofs of scans before the window's first.
   std::vector<Proof> pastOf(std::uint32_t id, const KeyFrame& first) const;
   bool moves(const KeyFrame& frame,
              std::size_t segment,
@@ -89,9 +78,7 @@ class TrackBook {
              const std::vector<Proof>& present);
 
   DynamicConfig config_;
-  std::map<std::uint32_t, Past> past_;       ///< of what may yet be seen again
-  std::map<std::uint32_t, Apart> apart_;     ///< of these
-  std::map<std::uint32_t, Parent> parents_;  ///< by id; of these and what the window holds
+  std::map<std::uint32_t, Past> past_;  ///< of what may yet be seen again
   /// By the frame's number, for each segment: votes only ever come on top of others.
   std::map<std::size_t, std::vector<Judgement>> judged_;
 };
