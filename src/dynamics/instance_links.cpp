@@ -8,8 +8,10 @@
 #include <tuple>
 
 #include "segdf/classification/classifier.hpp"
+#include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/frame_segments.hpp"
 #include "segdf/dynamics/size_match.hpp"
+#include "segdf/dynamics/verdict.hpp"
 #include "segdf/segmentation/clustering.hpp"
 #include "segdf/segmentation/union_find.hpp"
 
@@ -101,15 +103,36 @@ double secondsBetween(const KeyFrame& from, const KeyFrame& to) {
   return to.scan.stampSeconds() - from.scan.stampSeconds();
 }
 
+/// True when another key frame saw through the segment.
+bool sawThrough(const KeyFrame& other,
+                const KeyFrame& frame,
+                std::size_t segment,
+                const DynamicConfig& config) {
+  if (!frame.evidence) return false;
+  const std::vector<PairVote>& votes = frame.evidence->votes[segment];
+  return std::any_of(votes.begin(), votes.end(), [&](const PairVote& vote) {
+    return vote.scan == other.index && isSeenThrough(vote, config);
+  });
+}
+
 /// How far from where it is expected an instance may be taken for a segment, metres; negative:
 /// these are not two views of one object that can move. A car shows more of itself as one draws
 /// nearer, and of a far one a line or two are seen, high up or low: what does not look alike must
-/// be where its motion so far leads, and so must what was lost for a while.
-double gateOf(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t, bool lost) {
+/// be where its motion so far leads, and so must what was lost for a while; or one must have been
+/// seen to leave its place, and the other to come.
+double gateOf(const KeyFrame& from,
+              std::size_t f,
+              const KeyFrame& to,
+              std::size_t t,
+              bool lost,
+              const DynamicConfig& config) {
   const Eigen::Vector3f& a = from.seg.segments[f].box.size;
   const Eigen::Vector3f& b = to.seg.segments[t].box.size;
   if (!isMoverSized(a) || !isMoverSized(b)) return -1.0;
   if (isSameSize(a, b)) return lost ? kMovedGate : kMotionGate;
+  if (!lost && (sawThrough(to, from, f, config) || sawThrough(from, to, t, config))) {
+    return kMotionGate;
+  }
   return from.instances[f].velocity.norm() > 0.0 ? kMovedGate : -1.0;
 }
 
@@ -129,7 +152,8 @@ struct MotionLink {
 std::vector<MotionLink> motionLinks(const KeyFrame& from,
                                     const KeyFrame& to,
                                     const std::set<std::uint32_t>& given,
-                                    bool lost) {
+                                    bool lost,
+                                    const DynamicConfig& config) {
   const double dt = secondsBetween(from, to);
   std::vector<MotionLink> links;
   for (std::uint32_t f = 0; f < from.instances.size(); ++f) {
@@ -139,7 +163,7 @@ std::vector<MotionLink> motionLinks(const KeyFrame& from,
       if (to.instances[t].id != 0) continue;
       const double distance = (centerOf(to, t) - predicted).head<2>().norm();
       if (distance > kMotionGate) continue;
-      if (distance <= gateOf(from, f, to, t, lost)) links.push_back({distance, f, t});
+      if (distance <= gateOf(from, f, to, t, lost, config)) links.push_back({distance, f, t});
     }
   }
   std::sort(links.begin(), links.end());
@@ -173,11 +197,13 @@ Eigen::AlignedBox2d areaOf(const KeyFrame& frame, std::size_t segment) {
   return area;
 }
 
-/// True when the segment of `to` lies within where that of `from` went to.
+/// True when the segment of `to` lies within where that of `from` was and went to: between both
+/// when it brakes.
 bool isPartHere(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
   const Eigen::Vector3d way = secondsBetween(from, to) * from.instances[f].velocity;
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kPartMargin);
-  const Eigen::AlignedBox2d area = areaOf(from, f).translate(way.head<2>());
+  const Eigen::AlignedBox2d before = areaOf(from, f);
+  const Eigen::AlignedBox2d area = before.merged(before.translated(way.head<2>()));
   const Eigen::AlignedBox2d whole(area.min() - margin, area.max() + margin);
   return whole.contains(areaOf(to, t));
 }
@@ -236,7 +262,7 @@ void passOnIds(const Window& before,
   for (auto from = before.rbegin(); from != before.rend(); ++from) {
     const bool lost = *from != &last;
     if (lost && secondsBetween(**from, to) > kLongestGap) break;
-    for (const MotionLink& link : motionLinks(**from, to, given, lost)) {
+    for (const MotionLink& link : motionLinks(**from, to, given, lost, config)) {
       give((*from)->instances[link.from], to.instances[link.to]);
     }
     for (const Instance& instance : (*from)->instances) given.insert(instance.id);

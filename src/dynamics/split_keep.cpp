@@ -119,7 +119,7 @@ void keepStanding(KeyFrame& frame,
   const auto hits = static_cast<std::uint8_t>(config.df.keep_hits);
   const std::size_t count = frame.instances.size();
   for (std::size_t s = 0; s < count; ++s) {
-    if (!frame.instances[s].dynamic) continue;
+    if (!frame.instances[s].dynamic || frame.instances[s].whole) continue;
     const Indices standing =
         pointsWhere(frame.seg.segments[s], by_point,
                     [hits](const PlaceEvidence& e) { return e.free == 0 && e.hit >= hits; });

@@ -31,29 +31,24 @@ bool VisibilityFilter::isSettled(const Window& window) const {
 void VisibilityFilter::observe(const Window& window) {
   KeyFrame& newest = *window.back();
   newest.evidence = std::make_shared<FrameEvidence>(prepareEvidence(newest, config_.df));
-  nameInstances(window);
-  listPlaces(newest);
-  if (window.size() < 2) return places_.forget();
-  const KeyFrame& previous = *window[window.size() - 2];
-  newest.evidence->way = previous.evidence->way +
-                         (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
-  newest.evidence->step = newest.evidence->time - previous.evidence->time;
-  compare(window);
-  if (remembers()) places_.look(newest);
-}
-
-void VisibilityFilter::nameInstances(const Window& window) {
-  KeyFrame& newest = *window.back();
   newest.instances.assign(newest.seg.segments.size(), Instance{});
   if (window.size() < 2) {
+    listPlaces(newest);
     for (Instance& instance : newest.instances) instance.id = ids_.next();
-    return;
+    return places_.forget();
   }
   const KeyFrame& previous = *window[window.size() - 2];
   std::vector<SegmentOverlap> overlaps =
       overlapSegments(previous, placePoints(previous), newest, grid_, threads_);
   fuseSegments(previous, newest, config_, overlaps);
+  listPlaces(newest);
+  newest.evidence->way = previous.evidence->way +
+                         (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
+  newest.evidence->step = newest.evidence->time - previous.evidence->time;
+  compare(window);
+  // After the comparison: that one left its place and another came is what links them.
   passOnIds({window.begin(), window.end() - 1}, newest, overlaps, config_.df, ids_);
+  if (remembers()) places_.look(newest);
 }
 
 void VisibilityFilter::compare(const Window& window) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "segdf/dynamics/evidence.hpp"
+
 #include "support/box_world.hpp"
 #include "support/key_frames.hpp"
 
@@ -88,23 +90,29 @@ TEST_F(FusionTest, WithoutFusionOneHalfInheritsTheIdAndTheOtherGetsANewOne) {
 /// A car of which only the rear end is seen, and 0.3 s later all of it.
 class GrowingCarTest : public ::testing::Test {
  protected:
-  /// @param speed it was seen to have, m/s. @return whether it keeps its id
-  bool keepsItsId(double speed) {
+  /// @param speed it was seen to have, m/s. @param left the later scan sees through its place
+  /// @param x where it is then. @return whether it keeps its id
+  bool keepsItsId(double speed, bool left = false, double x = 18.5) {
     test::BoxWorld rear;
-    rear.add(14.0, 8.0, 1.5, 1.8, 1.5);
+    rear.add(14.0, 8.0, 1.0, 1.0, 1.5);
     test::BoxWorld whole;
-    whole.add(18.5, 8.0, 4.2, 1.8, 1.5);
+    whole.add(x, 8.0, 2.4, 1.8, 1.5);
     const std::unique_ptr<KeyFrame> from = makeKeyFrame(rear.scan(0.0, 0.0, 0.0, 1), config_);
     const std::unique_ptr<KeyFrame> to =
         makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 300000001), config_);
     IdSource ids;
     for (Instance& instance : from->instances) instance.id = ids.next();
-    Instance& car = from->instances[segmentAt(*from, 14.0, 8.0)];
+    to->index = 1;
+    const std::size_t end = segmentAt(*from, 14.0, 8.0);
+    Instance& car = from->instances[end];
     car.velocity.x() = speed;
+    from->evidence = std::make_shared<FrameEvidence>(prepareEvidence(*from, config_.df));
+    from->evidence->votes.resize(from->instances.size());
+    if (left) from->evidence->votes[end].push_back({1, 0.3F, 20, 0, true});
     const CurvedGrid grid(config_.cvi, config_.input.min_range);
     passOnIds({from.get()}, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1),
               config_.df, ids);
-    return to->instances[segmentAt(*to, 18.5, 8.0)].id == car.id;
+    return to->instances[segmentAt(*to, x, 8.0)].id == car.id;
   }
 
   Config config_;
@@ -113,6 +121,12 @@ class GrowingCarTest : public ::testing::Test {
 TEST_F(GrowingCarTest, KeepsItsIdWhereItsMotionLeads) { EXPECT_TRUE(keepsItsId(15.0)); }
 
 TEST_F(GrowingCarTest, IsAnotherWhereItsMotionDoesNotLead) { EXPECT_FALSE(keepsItsId(8.0)); }
+
+TEST_F(GrowingCarTest, KeepsItsIdWhereItsPlaceWasSeenToBeLeft) {
+  EXPECT_FALSE(keepsItsId(0.0, false, 16.3));
+  EXPECT_TRUE(keepsItsId(0.0, true, 16.3));
+  EXPECT_FALSE(keepsItsId(0.0, true, 17.5)) << "3.5 m away";
+}
 
 /// A car on a road, scan by scan.
 class RoadTest : public ::testing::Test {
@@ -184,6 +198,40 @@ TEST_F(RoadTest, OfOneThatLooksOtherwiseNowTheHeightOfItsCentreSaysNothing) {
 TEST_F(RoadTest, AVelocityIsTakenOverHalfASecond) {
   for (int k = 0; k < 6; ++k) scan(0.1 * k, 1.0 * k + (k == 5 ? 0.3 : 0.0));
   EXPECT_NEAR(car(5, 5.3).velocity.x(), 10.6, 0.5) << "13 m/s by the last step";
+}
+
+/// A car seen whole at x = 6 m with some velocity, half a second later in two pieces from 4 to 8 m.
+class BrakingCarTest : public ::testing::Test {
+ protected:
+  /// @return whether the piece that does not keep the id is known as a part of the car
+  bool isPart(double speed) {
+    test::BoxWorld whole;
+    whole.add(6.0, 8.0, 4.2, 1.8, 1.5);
+    test::BoxWorld pieces;
+    pieces.add(4.5, 8.0, 1.2, 1.8, 1.5, 0.1F);
+    pieces.add(6.85, 8.0, 2.5, 1.8, 1.5, 0.6F);
+    const std::unique_ptr<KeyFrame> from = makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 1), config_);
+    const std::unique_ptr<KeyFrame> to =
+        makeKeyFrame(pieces.scan(0.0, 0.0, 0.0, 500000001), config_);
+    IdSource ids;
+    for (Instance& instance : from->instances) instance.id = ids.next();
+    Instance& car = from->instances[segmentAt(*from, 6.0, 8.0)];
+    car.velocity.x() = speed;
+    const CurvedGrid grid(config_.cvi, config_.input.min_range);
+    passOnIds({from.get()}, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1),
+              config_.df, ids);
+    const Instance& rear = to->instances[segmentAt(*to, 4.5, 8.0)];
+    const Instance& front = to->instances[segmentAt(*to, 6.85, 8.0)];
+    EXPECT_TRUE((rear.id == car.id) != (front.id == car.id));
+    return (rear.id == car.id ? front : rear).parent == car.id;
+  }
+
+  Config config_;
+};
+
+TEST_F(BrakingCarTest, APieceIsAPartWhereTheCarWasAndWhereItWouldHaveGone) {
+  EXPECT_TRUE(isPart(0.0));
+  EXPECT_TRUE(isPart(4.0)) << "it would be 2 m ahead";
 }
 
 TEST_F(RoadTest, WhatComesBesideAMoverIsNoPartOfIt) {

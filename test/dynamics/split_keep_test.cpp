@@ -60,6 +60,13 @@ TEST_F(SplitKeep, WhatStandsBesideWhatMovedIsKept) {
   EXPECT_TRUE(frame_.instances[0].dynamic);
 }
 
+TEST_F(SplitKeep, OfWhatMovedAsAWholeNoPartStands) {
+  frame_.instances[0].whole = true;
+  addStanding(10.0F, 2.5F);
+  keep();
+  EXPECT_EQ(frame_.instances.size(), 1U);
+}
+
 TEST_F(SplitKeep, APartWithinWhatMovedIsItsOwnHoweverHighItIs) {
   addStanding(9.0F, 3.5F);
   keep();

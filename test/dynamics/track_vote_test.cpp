@@ -38,9 +38,10 @@ class TrackVote : public ::testing::Test {
   }
 
   /// Three frames saw through it.
-  void addMoving(double x, double step, const Eigen::Vector3f& size = kCar) {
+  KeyFrame& addMoving(double x, double step, const Eigen::Vector3f& size = kCar) {
     KeyFrame& frame = add(x, size, step);
     frame.evidence->votes[0].assign(3, {0, 0.3F, kPoints, 0, true});
+    return frame;
   }
 
   /// Three frames a second away found it again. @param scan of the first of these
@@ -126,10 +127,23 @@ TEST_F(TrackVote, WhatWasFoundHereWhileTheTrackMovedElsewhereIsAnotherObject) {
   EXPECT_FALSE(goes());
 }
 
-TEST_F(TrackVote, OfKeyFramesFarApartOneSuchScanSays) {
+// Of a car that brakes the front already is, two scans a second, where the car will stand.
+TEST_F(TrackVote, OfKeyFramesFarApartTwoSuchScansSay) {
   for (int k = 0; k < 3; ++k) addMoving(3.0 * k, 0.3);
   addStanding(9.0, 0.3, 2);
+  EXPECT_TRUE(goes());
+  frames_.back()->instances[0].dynamic = false;
+  frames_.back()->evidence->votes[0].front().scan = 1;
+  frames_.back()->evidence->votes[0].back().scan = 2;
   EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackVote, AViewOfABusIsAsFarFromItsCentreAsTheBusIsLong) {
+  const Eigen::Vector3f bus(11.5F, 2.5F, 3.0F);
+  for (int k = 0; k < 8; ++k) addMoving(-30.0 + k, 0.1);
+  for (int k = 0; k < 3; ++k) addMoving(5.0, 0.1, bus);
+  addStanding(0.0, 0.1, 8);
+  EXPECT_TRUE(goes()) << "its rear was found again where it stood all the time";
 }
 
 // A cyclist passes a parked car closely and takes its id along.
@@ -264,6 +278,72 @@ TEST_F(TrackVote, WhatIsInheritedOutlastsTheWindow) {
     tracks.propagate(window_, 0);
     EXPECT_TRUE(frame.instances[0].dynamic);
     tracks.note(frame);
+    window_.clear();
+  }
+}
+
+/// What moved had another id in each scan, and then stood.
+class ChangingIds : public TrackVote {
+ protected:
+  /// @param step metres from one scan to the next. @param last id with which it stands
+  bool stopsAfter(double step, std::uint32_t last) {
+    TrackBook tracks(config_);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      addMoving(step * k, 0.3).instances[0].id = 10 + k;
+      decide(tracks);
+    }
+    addStanding(4.0 * step, 0.3).instances[0].id = last;
+    decide(tracks);
+    return frames_.back()->instances[0].dynamic;
+  }
+
+  /// A second instance, of which nobody saw anything.
+  static void addBeside(KeyFrame& frame, double x, std::uint32_t id) {
+    frame.seg.segments.push_back(frame.seg.segments[0]);
+    frame.seg.segments[1].box.center.x() = static_cast<float>(x);
+    frame.instances.resize(2);
+    frame.instances[1].id = id;
+    frame.evidence->votes.resize(2);
+  }
+
+  void decide(TrackBook& tracks) {
+    KeyFrame& frame = *window_.back();
+    if (frame.evidence->votes[0].front().free > 0) makeDynamic(frame);
+    tracks.propagate(window_, 0);
+    tracks.note(frame);
+    window_.clear();
+  }
+};
+
+TEST_F(ChangingIds, WhatMovesGoesOnWithWhatEndedWhereItBegins) { EXPECT_TRUE(stopsAfter(2.0, 13)); }
+
+TEST_F(ChangingIds, NotFartherThanOneStep) { EXPECT_FALSE(stopsAfter(3.0, 13)); }
+
+TEST_F(ChangingIds, WhatStandsIsNobodysHeir) { EXPECT_FALSE(stopsAfter(2.0, 14)); }
+
+TEST_F(ChangingIds, NorIsWhatWasThereBefore) {
+  for (bool before : {false, true}) {
+    TrackBook tracks(config_);
+    for (int k = 0; k < 8; ++k) {
+      KeyFrame& frame = addMoving(1.0 * k, 0.1);
+      if (before) addBeside(frame, 9.0, 20);
+      decide(tracks);
+    }
+    addMoving(9.0, 0.02).instances[0].id = 20;
+    decide(tracks);
+    addStanding(9.0, 0.1).instances[0].id = 20;
+    decide(tracks);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, !before);
+  }
+}
+
+TEST_F(TrackVote, WhatMovedElsewhereAtItsSizeIsWhole) {
+  for (double x : {0.0, 8.0}) {
+    for (int k = 0; k < 8; ++k) addMoving(x - 1.0 + 0.1 * k, 0.1);
+    addMoving(8.0, 0.1);
+    makeDynamic(*window_.back());
+    TrackBook(config_).propagate(window_, window_.size() - 1);
+    EXPECT_EQ(frames_.back()->instances[0].whole, x == 0.0) << x;
     window_.clear();
   }
 }

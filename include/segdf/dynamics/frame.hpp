@@ -18,6 +18,7 @@ struct Instance {
   std::uint32_t parent = 0;  ///< instance that it was a part of, here or a key frame ago, 0 = none
   bool dynamic = false;
   bool fused = false;
+  bool whole = false;               ///< its track moved elsewhere at its size: no part of it stands
   std::uint32_t static_votes = 0;   ///< HS
   std::uint32_t dynamic_votes = 0;  ///< HD
   std::uint32_t needed_votes = 0;   ///< HD votes that make it dynamic

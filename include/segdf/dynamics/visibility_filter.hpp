@@ -27,7 +27,6 @@ class VisibilityFilter : public DynamicFilter {
   std::vector<Revocation> takeRevocations() override { return places_.takeRevocations(); }
 
  private:
-  void nameInstances(const Window& window);
   void compare(const Window& window);
   void judge(KeyFrame& frame) const;
   /// Is what stood in earlier frames looked after?

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "segdf/core/config.hpp"
+#include "segdf/dynamics/frame.hpp"
+
+namespace segdf {
+
+/// An instance that the votes made dynamic: it was here then, and is no more, or was not yet.
+struct MotionProof {
+  std::size_t scan = 0;                              ///< running number
+  Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
+  double seconds = 0.0;                              ///< of motion that it stands for
+  double speed = 0.0;                                ///< of its centre, seen from above, m/s
+};
+
+/// In the order of their scans.
+using MotionProofs = std::vector<MotionProof>;
+
+/// Seconds of proven motion that outweigh that an instance stands here: eight scans at 10 Hz. A
+/// proof stands for the time since the key frame before, but for no more than a step of 0.3 s:
+/// three are asked for, however far apart key frames are.
+inline constexpr double kStrongSeconds = 0.75;
+
+/// What an instance would prove if the votes made it dynamic.
+MotionProof proofOf(const KeyFrame& frame, std::size_t segment);
+
+/// Seconds over which the segment's object was proven to move, by what may be another view or a
+/// part of it. @param parked the segment was itself found again over and over
+double secondsOfMotion(const MotionProofs& proofs, const Segment& segment, bool parked);
+
+/// True when something moved where no view of the instance can have its centre. Parts of what
+/// stands may seem seen through from afar, time and again from the place where the ego waits; what
+/// has the size of the whole is no part.
+bool wentAway(const MotionProofs& proofs, const MotionProof& here);
+
+/// True when what has the size of the instance was proven to move, for kStrongSeconds, elsewhere.
+bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here);
+
+/// True when scans in which the track moved elsewhere found the segment here, two or more and for
+/// long enough; or when several did on the other side of such scans, and none saw through it:
+/// nothing leaves and comes back to the same place unseen.
+bool standsApart(const KeyFrame& frame,
+                 std::size_t segment,
+                 const MotionProofs& proofs,
+                 const DynamicConfig& config);
+
+/// True when the track moved only later than the segment's scan, and no scan since it did saw
+/// through the segment: what leaves opens its place. What drives by closely takes an id along, too.
+/// @param proofs at least one
+bool staysBehind(const KeyFrame& frame,
+                 std::size_t segment,
+                 const MotionProofs& proofs,
+                 const DynamicConfig& config);
+
+}  // namespace segdf

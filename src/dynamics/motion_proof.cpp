@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/motion_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "segdf/classification/classifier.hpp"
+#include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/size_match.hpp"
+#include "segdf/dynamics/verdict.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr double kLongestStep = 0.3;  // seconds that a proof stands for
+
+// Motion elsewhere in scans that found the instance here: three scans at 10 Hz.
+constexpr double kElsewhereSeconds = 0.25;
+constexpr int kElsewhereScans = 2;
+constexpr float kElsewhere = 2.0F;  // metres: farther than views of one car differ
+constexpr int kFoundBeyond = 2;     // scans
+constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
+
+constexpr float kVehicle = 2.5F;  // metres: what is longer is neither walked nor ridden
+constexpr float kWalker = 1.0F;   // metres: hardly any view of a vehicle is shorter
+constexpr double kWalking = 3.0;  // m/s
+
+/// True when a proof may be another view of a thing that stands here. It is not longer; height and
+/// width do not count, as what moved at a distance stands beside the sensor now, which sees a part
+/// of its side. And who walks by a parked car, and was one with it for a while, is no view of it.
+bool mayHaveStopped(const Eigen::Vector3f& size, const MotionProof& proof) {
+  const bool walks = proof.size.x() < kWalker && proof.speed < kWalking;
+  return proof.size.x() <= greatestView(size).x() && !(size.x() > kVehicle && walks);
+}
+
+/// True when the proof may be one of the segment's object: a part of it, or, where hardly anybody
+/// found the segment again, what it is a part of; of what by its class cannot move (a hedge before
+/// which somebody walks), what has its size.
+bool mayBeOf(const Segment& segment, const MotionProof& proof, bool parked) {
+  const Eigen::Vector3f& size = segment.box.size;
+  if (!isTested(segment.object_class)) return isSameSize(proof.size, size);
+  if (parked) return mayHaveStopped(size, proof);
+  return isPartOf(proof.size, size) || isPartOf(size, proof.size);
+}
+
+/// The track's proofs of motion that are farther from here than views of one object differ.
+MotionProofs elsewhere(const MotionProofs& proofs, const MotionProof& here) {
+  MotionProofs far;
+  std::copy_if(
+      proofs.begin(), proofs.end(), std::back_inserter(far), [&](const MotionProof& proof) {
+        const float apart = std::max(kElsewhere, 0.5F * std::max(here.size.x(), proof.size.x()));
+        return (proof.center - here.center).norm() > static_cast<double>(apart);
+      });
+  return far;
+}
+
+/// True when the track moved elsewhere between the scan of the instance and another.
+bool isBetween(const MotionProofs& far, std::size_t scan, std::size_t other) {
+  const auto [first, last] = std::minmax(scan, other);
+  return std::any_of(far.begin(), far.end(),
+                     [first = first, last = last](const MotionProof& proof) {
+                       return proof.scan > first && proof.scan < last;
+                     });
+}
+
+}  // namespace
+
+MotionProof proofOf(const KeyFrame& frame, std::size_t segment) {
+  const UprightBox& box = frame.seg.segments[segment].box;
+  return {frame.index, box.size, frame.scan.pose * box.center.cast<double>(),
+          std::min(frame.evidence->step, kLongestStep),
+          frame.instances[segment].velocity.head<2>().norm()};
+}
+
+double secondsOfMotion(const MotionProofs& proofs, const Segment& segment, bool parked) {
+  double seconds = 0.0;
+  for (const MotionProof& proof : proofs) {
+    if (mayBeOf(segment, proof, parked)) seconds += proof.seconds;
+  }
+  return seconds;
+}
+
+bool wentAway(const MotionProofs& proofs, const MotionProof& here) {
+  return std::any_of(proofs.begin(), proofs.end(), [&](const MotionProof& proof) {
+    const float room = isSameSize(proof.size, here.size)
+                           ? 0.0F
+                           : std::max(0.0F, here.size.x() - proof.size.y()) / 2.0F;
+    return (proof.center - here.center).norm() > kAway + static_cast<double>(room);
+  });
+}
+
+bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here) {
+  double seconds = 0.0;
+  for (const MotionProof& proof : proofs) {
+    const bool away = (proof.center - here.center).norm() > static_cast<double>(kElsewhere);
+    if (away && isSameSize(proof.size, here.size)) seconds += proof.seconds;
+  }
+  return seconds >= kStrongSeconds;
+}
+
+bool standsApart(const KeyFrame& frame,
+                 std::size_t segment,
+                 const MotionProofs& proofs,
+                 const DynamicConfig& config) {
+  const MotionProofs far = elsewhere(proofs, proofOf(frame, segment));
+  const std::size_t points = frame.seg.segments[segment].points.size();
+  double seconds = 0.0;
+  int scans = 0;
+  int beyond = 0;
+  bool seen_through = false;
+  for (const PairVote& vote : frame.evidence->votes[segment]) {
+    seen_through = seen_through || isSeenThrough(vote, config);
+    if (!isFoundAgain(vote, points, config)) continue;
+    const auto proof = std::find_if(far.begin(), far.end(),
+                                    [&](const MotionProof& p) { return p.scan == vote.scan; });
+    if (proof != far.end()) {
+      seconds += proof->seconds;
+      ++scans;
+    }
+    beyond += isBetween(far, frame.index, vote.scan) ? 1 : 0;
+  }
+  return (scans >= kElsewhereScans && seconds >= kElsewhereSeconds) ||
+         (beyond >= kFoundBeyond && !seen_through);
+}
+
+bool staysBehind(const KeyFrame& frame,
+                 std::size_t segment,
+                 const MotionProofs& proofs,
+                 const DynamicConfig& config) {
+  const std::size_t first = proofs.front().scan;
+  const std::vector<PairVote>& votes = frame.evidence->votes[segment];
+  return first > frame.index && std::none_of(votes.begin(), votes.end(), [&](const PairVote& vote) {
+           return vote.scan >= first && isSeenThrough(vote, config);
+         });
+}
+
+}  // namespace segdf
