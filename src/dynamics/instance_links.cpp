@@ -118,8 +118,8 @@ bool sawThrough(const KeyFrame& other,
 /// How far from where it is expected an instance may be taken for a segment, metres; negative:
 /// these are not two views of one object that can move. A car shows more of itself as one draws
 /// nearer, and of a far one a line or two are seen, high up or low: what does not look alike must
-/// be where its motion so far leads, and so must what was lost for a while; or one must have been
-/// seen to leave its place, and the other to come.
+/// be where its motion so far leads, and so must what was lost for a while; or one key frame must
+/// have seen through the other's place: then one left, or the other came.
 double gateOf(const KeyFrame& from,
               std::size_t f,
               const KeyFrame& to,

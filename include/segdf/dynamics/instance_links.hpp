@@ -25,9 +25,11 @@ inline constexpr double kLongestGap = 0.5;
 /// df.assoc are taken by falling number of common voxels, then smaller id, as long as both ends are
 /// free. What is left is linked where a segment lies nearest to where an instance went on to, as
 /// seen from above: things that are small or fast do not overlap with themselves. At most 2.5 m off
-/// when it has a like size, 1 m when the instance moved and looks otherwise now, or was lost since
-/// an older frame. Segments that no link reaches get new ids; those that lie in an instance of the
-/// last frame, and touch it, have it as their parent.
+/// when it has a like size, or when one of the two frames saw through the other's place; 1 m when
+/// the instance moved and looks otherwise now, or was lost since an older frame. Segments that no
+/// link reaches get new ids; those that lie between where an instance of the last frame was and
+/// where it would have gone on to, and touch it, have it as their parent.
+/// Called when the frames have been compared: before, nobody has seen through anything.
 /// @param before the key frames before `to`, oldest first, at least one
 /// @param overlaps of the instances of the last of them
 void passOnIds(const Window& before,
