@@ -82,20 +82,6 @@ std::vector<KeyedPoint> objectKeys(const Scan& scan,
   return items;
 }
 
-/// Gives vehicles what belongs to them, and the ground under them to the ground.
-void completeVehicles(const Scan& scan,
-                      const RangeImage& image,
-                      const Config& config,
-                      const CurvedGrid& grid,
-                      Segmentation& seg) {
-  if (config.vehicle.length <= 0.0) return;
-  const std::vector<ClusterShape> shapes =
-      shapesOf(scan.points, image, seg.height, config.vehicle, seg.voxels, seg.clusters);
-  joinFragments(scan.points, image, seg.height, config.vehicle, seg.voxels, shapes, seg.clusters);
-  settleFeet(scan.points, config.vehicle, grid, shapes, seg.roles, seg.voxels, seg.clusters);
-  dropSmallClusters(seg.voxels, static_cast<std::uint32_t>(config.cvi.n_noise), seg.clusters);
-}
-
 /// Visiting points in the order of the scan leaves the indices of each segment sorted.
 std::vector<Segment> collectSegments(const Scan& scan,
                                      const CurvedVoxels& voxels,
@@ -129,6 +115,19 @@ std::vector<PointRole> selectPoints(const std::vector<Point>& points, const Inpu
       roles[i] = PointRole::kObject;
   }
   return roles;
+}
+
+void completeVehicles(const Scan& scan,
+                      const RangeImage& image,
+                      const Config& config,
+                      const CurvedGrid& grid,
+                      Segmentation& seg) {
+  if (config.vehicle.length <= 0.0) return;
+  const std::vector<ClusterShape> shapes =
+      shapesOf(scan.points, image, seg.height, config.vehicle, seg.voxels, seg.clusters);
+  joinFragments(scan.points, image, seg.height, config.vehicle, seg.voxels, shapes, seg.clusters);
+  settleFeet(scan.points, config.vehicle, grid, shapes, seg.roles, seg.voxels, seg.clusters);
+  dropSmallClusters(seg.voxels, static_cast<std::uint32_t>(config.cvi.n_noise), seg.clusters);
 }
 
 Segmentation segmentScan(const Scan& scan, const Config& config, int threads, StageTimes& times) {

@@ -7,6 +7,7 @@
 #include "segdf/classification/classifier.hpp"
 #include "segdf/classification/features.hpp"
 #include "segdf/classification/shape_histogram.hpp"
+#include "segdf/segmentation/carving.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/intensity.hpp"
 #include "segdf/segmentation/segmenter.hpp"
@@ -46,6 +47,20 @@ std::vector<KeyedPoint> objectKeys(const Fixture& f) {
     if (key) items.emplace_back(*key, i);
   }
   return items;
+}
+
+/// What segmentScan has after stage 2, on the ground that it found.
+Segmentation clustered(const Fixture& f) {
+  Segmentation seg;
+  seg.roles = f.seg.roles;
+  seg.height = f.seg.height;
+  seg.voxels = buildCurvedVoxels(objectKeys(f), f.intensity);
+  seg.clusters = clusterVoxels(f.scan.points, f.intensity, seg.voxels, f.grid, f.config.cvi);
+  return seg;
+}
+
+void carve(const Fixture& f, Segmentation& seg) {
+  carveClusters(f.scan.points, f.image, seg.height, f.config, seg.voxels, seg.clusters);
 }
 
 pcl::ESFSignature640 esfByPcl(const std::vector<Point>& points,
@@ -91,6 +106,17 @@ void addSegmentation() {
   add("curved voxels + stages 1 and 2", [](Fixture& f) {
     const CurvedVoxels voxels = buildCurvedVoxels(objectKeys(f), f.intensity);
     return clusterVoxels(f.scan.points, f.intensity, voxels, f.grid, f.config.cvi);
+  });
+  add("curved voxels + stages 1 and 2 + carving", [](Fixture& f) {
+    Segmentation seg = clustered(f);
+    carve(f, seg);
+    return seg.clusters.count;
+  });
+  add("curved voxels + stages 1 and 2 + carving + vehicles", [](Fixture& f) {
+    Segmentation seg = clustered(f);
+    carve(f, seg);
+    completeVehicles(f.scan, f.image, f.config, f.grid, seg);
+    return seg.clusters.count;
   });
   add("YARDSTICK PCL VoxelGrid + EuclideanClusterExtraction", [](Fixture& f) {
     return test::clusterEuclidean(test::objectCloud(f.scan.points, f.seg.roles)).of_thinned.size();

@@ -43,6 +43,15 @@ struct Segmentation {
 /// Which points take part: finite, within range, not on the own vehicle. The others are kUnused.
 std::vector<PointRole> selectPoints(const std::vector<Point>& points, const InputConfig& config);
 
+/// Gives clusters that may be vehicles (`config.vehicle`) what is seen behind their face, and their
+/// feet, and the ground under them to the ground. Wants roles, height, voxels and clusters. Linear
+/// in points.
+void completeVehicles(const Scan& scan,
+                      const RangeImage& image,
+                      const Config& config,
+                      const CurvedGrid& grid,
+                      Segmentation& seg);
+
 /// Algorithm 1, one scan. @param times gets the seconds of ground, normals and clustering
 Segmentation segmentScan(const Scan& scan, const Config& config, int threads, StageTimes& times);
 
