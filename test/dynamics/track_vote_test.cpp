@@ -1,85 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/dynamics/track_vote.hpp"
 
-#include <memory>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include "segdf/dynamics/evidence.hpp"
+#include "support/track_frames.hpp"
 
 namespace segdf {
 namespace {
 
-constexpr std::uint32_t kPoints = 20;
-const Eigen::Vector3f kCar(4.2F, 1.8F, 1.5F);
-
-/// Key frames with one instance each, all of one id, and with what others are said to have seen.
-class TrackVote : public ::testing::Test {
- protected:
-  KeyFrame& add(double x, const Eigen::Vector3f& size, double step) {
-    auto frame = std::make_unique<KeyFrame>();
-    frame->index = frames_.size();
-    Segment segment;
-    segment.points.resize(kPoints);
-    segment.object_class = ObjectClass::kHighMobility;
-    segment.box.center.x() = static_cast<float>(x);
-    segment.box.size = size;
-    frame->seg.segments.push_back(segment);
-    frame->instances.resize(1);
-    frame->instances[0].id = 7;
-    frame->evidence = std::make_shared<FrameEvidence>(prepareEvidence(KeyFrame{}, config_));
-    frame->evidence->step = step;
-    frame->evidence->time = time_ += step;
-    frame->evidence->votes.resize(1);
-    window_.push_back(frame.get());
-    frames_.push_back(std::move(frame));
-    return *frames_.back();
-  }
-
-  /// Three frames saw through it.
-  KeyFrame& addMoving(double x, double step, const Eigen::Vector3f& size = kCar) {
-    KeyFrame& frame = add(x, size, step);
-    frame.evidence->votes[0].assign(3, {0, 0.3F, kPoints, 0, true});
-    return frame;
-  }
-
-  /// Three frames a second away found it again. @param scan of the first of these
-  KeyFrame& addStanding(double x, double step, std::size_t scan = 100) {
-    KeyFrame& frame = add(x, kCar, step);
-    for (std::size_t k = 0; k < 3; ++k) {
-      frame.evidence->votes[0].push_back({scan + k, 1.0F, 0, kPoints, true});
-    }
-    return frame;
-  }
-
-  /// As its votes do.
-  static void makeDynamic(KeyFrame& frame) {
-    frame.instances[0].dynamic = true;
-    frame.instances[0].reason = Reason::kVotes;
-  }
-
-  /// Eight scans of motion that have left the window.
-  void moveThroughTheWindow(TrackBook& tracks) {
-    for (int k = 0; k < 8; ++k) {
-      addMoving(1.0 * k, 0.1);
-      makeDynamic(*window_.back());
-      tracks.note(*window_.back());
-    }
-    window_.clear();
-  }
-
-  /// The verdict by track on the newest frame.
-  bool goes() {
-    TrackBook(config_).propagate(window_, window_.size() - 1);
-    return frames_.back()->instances[0].dynamic;
-  }
-
-  DynamicConfig config_;
-  std::vector<std::unique_ptr<KeyFrame>> frames_;
-  Window window_;
-  double time_ = 0.0;
-};
+using test::kCar;
+using test::kPoints;
+using test::TrackVote;
 
 TEST_F(TrackVote, WhatStoppedGoesAfterThreeQuartersOfASecondOfMotionAtTenHertz) {
   for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
@@ -248,93 +177,6 @@ TEST_F(TrackVote, WhoWalksByAParkedCarDoesNotTakeItAlong) {
   for (const auto& frame : frames_) frame->instances[0].velocity.x() = 8.0;
   addStanding(6.0, 0.1);
   EXPECT_TRUE(goes()) << "nobody walks so fast: of the car only an edge was seen";
-}
-
-TEST_F(TrackVote, WhatCameOffAMoverInheritsItsMotion) {
-  for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
-  KeyFrame& frame = addStanding(8.0, 0.1);
-  frame.instances[0].id = 8;
-  EXPECT_FALSE(goes());
-  frame.instances[0].parent = 7;
-  EXPECT_TRUE(goes());
-}
-
-TEST_F(TrackVote, WhatCameOffAMoverDoesNotInheritItsLaterMotion) {
-  KeyFrame& first = addStanding(8.0, 0.1);
-  first.instances[0].id = 8;
-  first.instances[0].parent = 7;
-  for (int k = 0; k < 8; ++k) addMoving(9.0 + k, 0.1);
-  TrackBook(config_).propagate(window_, 0);
-  EXPECT_FALSE(first.instances[0].dynamic);
-}
-
-TEST_F(TrackVote, WhatIsInheritedOutlastsTheWindow) {
-  TrackBook tracks(config_);
-  moveThroughTheWindow(tracks);
-  for (int k = 0; k < 2; ++k) {
-    KeyFrame& frame = addStanding(8.0, 0.1);
-    frame.instances[0].id = 8 + static_cast<std::uint32_t>(k);
-    frame.instances[0].parent = 7 + static_cast<std::uint32_t>(k);
-    tracks.propagate(window_, 0);
-    EXPECT_TRUE(frame.instances[0].dynamic);
-    tracks.note(frame);
-    window_.clear();
-  }
-}
-
-/// What moved had another id in each scan, and then stood.
-class ChangingIds : public TrackVote {
- protected:
-  /// @param step metres from one scan to the next. @param last id with which it stands
-  bool stopsAfter(double step, std::uint32_t last) {
-    TrackBook tracks(config_);
-    for (std::uint32_t k = 0; k < 4; ++k) {
-      addMoving(step * k, 0.3).instances[0].id = 10 + k;
-      decide(tracks);
-    }
-    addStanding(4.0 * step, 0.3).instances[0].id = last;
-    decide(tracks);
-    return frames_.back()->instances[0].dynamic;
-  }
-
-  /// A second instance, of which nobody saw anything.
-  static void addBeside(KeyFrame& frame, double x, std::uint32_t id) {
-    frame.seg.segments.push_back(frame.seg.segments[0]);
-    frame.seg.segments[1].box.center.x() = static_cast<float>(x);
-    frame.instances.resize(2);
-    frame.instances[1].id = id;
-    frame.evidence->votes.resize(2);
-  }
-
-  void decide(TrackBook& tracks) {
-    KeyFrame& frame = *window_.back();
-    if (frame.evidence->votes[0].front().free > 0) makeDynamic(frame);
-    tracks.propagate(window_, 0);
-    tracks.note(frame);
-    window_.clear();
-  }
-};
-
-TEST_F(ChangingIds, WhatMovesGoesOnWithWhatEndedWhereItBegins) { EXPECT_TRUE(stopsAfter(2.0, 13)); }
-
-TEST_F(ChangingIds, NotFartherThanOneStep) { EXPECT_FALSE(stopsAfter(3.0, 13)); }
-
-TEST_F(ChangingIds, WhatStandsIsNobodysHeir) { EXPECT_FALSE(stopsAfter(2.0, 14)); }
-
-TEST_F(ChangingIds, NorIsWhatWasThereBefore) {
-  for (bool before : {false, true}) {
-    TrackBook tracks(config_);
-    for (int k = 0; k < 8; ++k) {
-      KeyFrame& frame = addMoving(1.0 * k, 0.1);
-      if (before) addBeside(frame, 9.0, 20);
-      decide(tracks);
-    }
-    addMoving(9.0, 0.02).instances[0].id = 20;
-    decide(tracks);
-    addStanding(9.0, 0.1).instances[0].id = 20;
-    decide(tracks);
-    EXPECT_EQ(frames_.back()->instances[0].dynamic, !before);
-  }
 }
 
 TEST_F(TrackVote, WhatMovedElsewhereAtItsSizeIsWhole) {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an id that is new, or has ended, did counts for others.
+#include "segdf/dynamics/track_vote.hpp"
+
+#include "support/track_frames.hpp"
+
+namespace segdf {
+namespace {
+
+using test::TrackVote;
+
+class TrackHeirs : public TrackVote {};
+
+TEST_F(TrackHeirs, WhatCameOffAMoverInheritsItsMotion) {
+  for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
+  KeyFrame& frame = addStanding(8.0, 0.1);
+  frame.instances[0].id = 8;
+  EXPECT_FALSE(goes());
+  frame.instances[0].parent = 7;
+  EXPECT_TRUE(goes());
+}
+
+TEST_F(TrackHeirs, WhatCameOffAMoverDoesNotInheritItsLaterMotion) {
+  KeyFrame& first = addStanding(8.0, 0.1);
+  first.instances[0].id = 8;
+  first.instances[0].parent = 7;
+  for (int k = 0; k < 8; ++k) addMoving(9.0 + k, 0.1);
+  TrackBook(config_).propagate(window_, 0);
+  EXPECT_FALSE(first.instances[0].dynamic);
+}
+
+TEST_F(TrackHeirs, WhatIsInheritedOutlastsTheWindow) {
+  TrackBook tracks(config_);
+  moveThroughTheWindow(tracks);
+  for (int k = 0; k < 2; ++k) {
+    KeyFrame& frame = addStanding(8.0, 0.1);
+    frame.instances[0].id = 8 + static_cast<std::uint32_t>(k);
+    frame.instances[0].parent = 7 + static_cast<std::uint32_t>(k);
+    tracks.propagate(window_, 0);
+    EXPECT_TRUE(frame.instances[0].dynamic);
+    tracks.note(frame);
+    window_.clear();
+  }
+}
+
+/// What moved had another id in each scan, and then stood.
+class ChangingIds : public TrackVote {
+ protected:
+  /// @param step metres from one scan to the next. @param last id with which it stands
+  bool stopsAfter(double step, std::uint32_t last) {
+    TrackBook tracks(config_);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      addMoving(step * k, 0.3).instances[0].id = 10 + k;
+      decide(tracks);
+    }
+    addStanding(4.0 * step, 0.3).instances[0].id = last;
+    decide(tracks);
+    return frames_.back()->instances[0].dynamic;
+  }
+
+  /// A second instance, of which nobody saw anything.
+  static void addBeside(KeyFrame& frame, double x, std::uint32_t id) {
+    frame.seg.segments.push_back(frame.seg.segments[0]);
+    frame.seg.segments[1].box.center.x() = static_cast<float>(x);
+    frame.instances.resize(2);
+    frame.instances[1].id = id;
+    frame.evidence->votes.resize(2);
+  }
+
+  void decide(TrackBook& tracks) {
+    KeyFrame& frame = *window_.back();
+    if (frame.evidence->votes[0].front().free > 0) makeDynamic(frame);
+    tracks.propagate(window_, 0);
+    tracks.note(frame);
+    window_.clear();
+  }
+};
+
+TEST_F(ChangingIds, WhatMovesGoesOnWithWhatEndedWhereItBegins) { EXPECT_TRUE(stopsAfter(2.0, 13)); }
+
+TEST_F(ChangingIds, NotFartherThanOneStep) { EXPECT_FALSE(stopsAfter(3.0, 13)); }
+
+TEST_F(ChangingIds, WhatStandsIsNobodysHeir) { EXPECT_FALSE(stopsAfter(2.0, 14)); }
+
+TEST_F(ChangingIds, NorIsWhatWasThereBefore) {
+  for (bool before : {false, true}) {
+    TrackBook tracks(config_);
+    for (int k = 0; k < 8; ++k) {
+      KeyFrame& frame = addMoving(1.0 * k, 0.1);
+      if (before) addBeside(frame, 9.0, 20);
+      decide(tracks);
+    }
+    addMoving(9.0, 0.02).instances[0].id = 20;
+    decide(tracks);
+    addStanding(9.0, 0.1).instances[0].id = 20;
+    decide(tracks);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, !before);
+  }
+}
+
+}  // namespace
+}  // namespace segdf
