@@ -21,7 +21,17 @@ constexpr std::size_t kKeptProofs = 64;  // of the past: the first half, and the
 constexpr std::size_t kManyMembers = 8;
 constexpr double kFewDynamic = 0.1;  // share of the members
 constexpr int kOftenApart = 3;       // instances of an id that stood apart from what moved
+constexpr float kHighestCar = 2.2F;  // metres
 constexpr double kHeirGate = 2.5;    // metres from one scan to the next
+
+/// True when the votes made the instance dynamic, as one object. When a part of it was found to
+/// stand its id may pass on to that: a parked car, next to somebody who went with it for a while.
+/// Of what is higher than cars, parts stood for a while themselves.
+bool provesMotion(const KeyFrame& frame, std::size_t segment) {
+  const Instance& instance = frame.instances[segment];
+  const bool car_sized = frame.seg.segments[segment].box.size.z() < kHighestCar;
+  return instance.dynamic && instance.reason == Reason::kVotes && !(instance.mixed && car_sized);
+}
 
 /// Merges proofs, and forgets those in the middle when there are too many.
 void addProofs(const MotionProofs& more, MotionProofs& proofs) {
@@ -230,7 +240,7 @@ void TrackBook::note(const KeyFrame& frame) {
     const Instance& instance = frame.instances[s];
     Past& past = past_[instance.id];
     past.seen = now;
-    past.moved = instance.dynamic && instance.reason == Reason::kVotes;
+    past.moved = provesMotion(frame, s);
     if (!past.moved) continue;
     addProofs({proofOf(frame, s)}, past.proofs);
   }

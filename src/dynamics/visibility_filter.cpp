@@ -73,10 +73,10 @@ void VisibilityFilter::decide(const Window& window, std::size_t position) {
   if (frame.judged) return;
   judge(frame);
   tracks_.propagate(window, position);
-  tracks_.note(frame);
   const std::vector<PlaceEvidence> by_point = evidenceByPoint(frame);
   splitMoved(frame, by_point, config_, grid_, ids_);
   keepStanding(frame, by_point, config_, grid_, ids_);
+  tracks_.note(frame);
   removeEnclosed(frame, config_.df);
   if (remembers()) places_.note(frame);
   frame.judged = true;

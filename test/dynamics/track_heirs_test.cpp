@@ -43,6 +43,24 @@ TEST_F(TrackHeirs, WhatIsInheritedOutlastsTheWindow) {
   }
 }
 
+// A cyclist, and the parked car that was one cluster with him and has the id now.
+TEST_F(TrackHeirs, WhatAStandingPartWasTakenOutOfProvesNothingUnlessItIsHigh) {
+  for (float height : {1.5F, 3.0F}) {
+    TrackBook tracks(config_);
+    for (int k = 0; k < 8; ++k) {
+      KeyFrame& frame = addMoving(1.0 * k, 0.1, {4.2F, 1.8F, height});
+      makeDynamic(frame);
+      frame.instances[0].mixed = true;
+      tracks.note(frame);
+      window_.clear();
+    }
+    addStanding(8.0, 0.1);
+    tracks.propagate(window_, 0);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, height > 2.2F);
+    window_.clear();
+  }
+}
+
 /// What moved had another id in each scan, and then stood.
 class ChangingIds : public TrackVote {
  protected:

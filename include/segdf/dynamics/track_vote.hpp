@@ -33,7 +33,8 @@ class TrackBook {
   /// made for all frames of the window; those of frames still gathering evidence count as they are.
   void propagate(const Window& window, std::size_t position);
 
-  /// Notes what was decided on the frame that leaves.
+  /// Notes what was decided on the frame that leaves, once what stands has been taken out of what
+  /// moves.
   void note(const KeyFrame& frame);
 
  private:
