@@ -129,9 +129,7 @@ void keepStanding(KeyFrame& frame,
     const Footprint footprint(seenFromAbove(frame, moved));
     for (const Indices& part : connectedParts(frame, standing, grid)) {
       if (part.size() < static_cast<std::size_t>(config.df.keep_min)) continue;
-      if (!isBeside(frame, part, footprint)) continue;
-      separate(frame, s, part, ids);
-      frame.instances[s].mixed = true;
+      if (isBeside(frame, part, footprint)) separate(frame, s, part, ids);
     }
   }
 }

@@ -24,13 +24,23 @@ constexpr int kOftenApart = 3;       // instances of an id that stood apart from
 constexpr float kHighestCar = 2.2F;  // metres
 constexpr double kHeirGate = 2.5;    // metres from one scan to the next
 
+/// True when a part of the frame's instance was found to stand. Parts come after all segments.
+bool hasKeptPart(const KeyFrame& frame, std::uint32_t id) {
+  const auto parts =
+      frame.instances.begin() + static_cast<std::ptrdiff_t>(frame.evidence->votes.size());
+  return std::any_of(parts, frame.instances.end(), [id](const Instance& part) {
+    return part.parent == id && part.reason == Reason::kKept;
+  });
+}
+
 /// True when the votes made the instance dynamic, as one object. When a part of it was found to
 /// stand its id may pass on to that: a parked car, next to somebody who went with it for a while.
 /// Of what is higher than cars, parts stood for a while themselves.
 bool provesMotion(const KeyFrame& frame, std::size_t segment) {
   const Instance& instance = frame.instances[segment];
   const bool car_sized = frame.seg.segments[segment].box.size.z() < kHighestCar;
-  return instance.dynamic && instance.reason == Reason::kVotes && !(instance.mixed && car_sized);
+  return instance.dynamic && instance.reason == Reason::kVotes &&
+         !(car_sized && hasKeptPart(frame, instance.id));
 }
 
 /// Merges proofs, and forgets those in the middle when there are too many.
@@ -117,17 +127,18 @@ bool TrackBook::moves(const KeyFrame& frame,
   }
   const bool apart = standsApart(frame, s, proofs, config_);
   if (apart && parked) {
-    ++past_[id].apart;
-    past_[id].last_apart = frame.index;
+    Past& here = past_.at(id);
+    ++here.apart;
+    here.last_apart = frame.index;
   }
   return !apart && !(parked && staysBehind(frame, s, proofs, config_));
 }
 
 void TrackBook::forgetOthers(std::uint32_t id, MotionProofs& proofs) const {
-  const auto past = past_.find(id);
-  if (past == past_.end() || past->second.apart < kOftenApart) return;
+  const Past& past = past_.at(id);
+  if (past.apart < kOftenApart) return;
   const auto others = std::remove_if(proofs.begin(), proofs.end(), [&](const MotionProof& proof) {
-    return proof.scan <= past->second.last_apart;
+    return proof.scan <= past.last_apart;
   });
   proofs.erase(others, proofs.end());
 }

@@ -58,7 +58,6 @@ TEST_F(SplitKeep, WhatStandsBesideWhatMovedIsKept) {
   EXPECT_EQ(frame_.instances[1].parent, frame_.instances[0].id);
   EXPECT_EQ(frame_.seg.segments[1].points.size(), kPart);
   EXPECT_TRUE(frame_.instances[0].dynamic);
-  EXPECT_TRUE(frame_.instances[0].mixed);
 }
 
 TEST_F(SplitKeep, OfWhatMovedAsAWholeNoPartStands) {

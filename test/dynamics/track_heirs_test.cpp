@@ -50,7 +50,9 @@ TEST_F(TrackHeirs, WhatAStandingPartWasTakenOutOfProvesNothingUnlessItIsHigh) {
     for (int k = 0; k < 8; ++k) {
       KeyFrame& frame = addMoving(1.0 * k, 0.1, {4.2F, 1.8F, height});
       makeDynamic(frame);
-      frame.instances[0].mixed = true;
+      frame.instances.resize(2);
+      frame.instances[1].parent = 7;
+      frame.instances[1].reason = Reason::kKept;
       tracks.note(frame);
       window_.clear();
     }

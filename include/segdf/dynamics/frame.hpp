@@ -19,7 +19,6 @@ struct Instance {
   bool dynamic = false;
   bool fused = false;
   bool whole = false;               ///< its track moved elsewhere at its size: no part of it stands
-  bool mixed = false;               ///< a part that stands was taken out of what moves
   std::uint32_t static_votes = 0;   ///< HS
   std::uint32_t dynamic_votes = 0;  ///< HD
   std::uint32_t needed_votes = 0;   ///< HD votes that make it dynamic
