@@ -53,7 +53,8 @@ constexpr std::array<const char*, static_cast<std::size_t>(Feature::kCount)> kFe
     "log_count",
     "density",
     "topcut",
-    "ground_contact"};
+    "ground_contact",
+    "roughness"};
 
 Truth truthOf(std::uint16_t c) {
   if ((c >= 10 && c <= 32) || semantic_kitti::isMoving(c)) return Truth::kMovable;

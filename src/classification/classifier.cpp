@@ -25,6 +25,7 @@ constexpr double kCarMaxHeight = 2.6;
 constexpr double kVehicleLength = 13.0;
 constexpr double kVehicleWidth = 2.9;
 constexpr std::size_t kLeafyPoints = 30;
+constexpr std::size_t kRoughPoints = 60;
 constexpr double kShortWall = 2.0;
 // A fence is thin, straight, much longer than wide, and longer than the tail of a car is wide.
 constexpr double kFenceVertical = 0.9;
@@ -36,7 +37,7 @@ constexpr double kFenceSigma = 0.06;
 /// The features under the names that the rules use.
 struct Shape {
   double length, width, side, bottom, top, smooth, curvature, vertical, topcut, contact, range;
-  double sigma;
+  double sigma, roughness;
 
   explicit Shape(const FeatureVector& f)
       : length(static_cast<double>(f[Feature::kLength])),
@@ -51,7 +52,8 @@ struct Shape {
         contact(static_cast<double>(f[Feature::kGroundContact])),
         range(static_cast<double>(f[Feature::kRange])),
         sigma(std::sqrt(static_cast<double>(f[Feature::kCurvatureChange]) *
-                        static_cast<double>(f[Feature::kEigenvalueSum]))) {}
+                        static_cast<double>(f[Feature::kEigenvalueSum]))),
+        roughness(static_cast<double>(f[Feature::kRoughness])) {}
 };
 
 bool isLeafy(const Shape& s, const ClassConfig& c) {
@@ -67,6 +69,13 @@ bool isLeafyVehicle(const Shape& s, const ClassConfig& c) {
 /// A bush with the size of a car: rougher than anything on wheels.
 bool isBush(const Shape& s, const ClassConfig& c) {
   return s.smooth < c.bush_smooth && s.curvature > c.bush_curvature && s.vertical < c.bush_vertical;
+}
+
+/// Rougher along the lines of single lasers than vehicles are. People and cyclists are rough as
+/// well when few columns hit them, and so is what few points are seen of.
+bool isRough(const Shape& s, std::size_t points, const ClassConfig& c) {
+  return s.roughness > c.rough && s.smooth < c.rough_smooth && s.length > kCyclistLength &&
+         points >= kRoughPoints;
 }
 
 bool isTall(const Shape& s, const ClassConfig& c) {
@@ -135,20 +144,25 @@ ObjectClass classifyLarge(const Shape& s, const ClassConfig& c) {
   return isWall(s, c) ? ObjectClass::kBuilding : ObjectClass::kUnknown;
 }
 
+ObjectClass classifyByShape(const Shape& s, std::size_t points, const ClassConfig& c) {
+  if (s.bottom > c.airborne) {
+    return isLeafy(s, c) ? ObjectClass::kVegetation : ObjectClass::kBuilding;
+  }
+  if (isTall(s, c)) return classifyTall(s, points, c);
+  if (s.length > c.long_length || s.width > c.long_width) return classifyLarge(s, c);
+  if (s.top < c.low) return ObjectClass::kUnknown;
+  const bool on_foot_or_bicycle = isPerson(s) || isCyclist(s);
+  if (!on_foot_or_bicycle && isBush(s, c)) return ObjectClass::kVegetation;
+  if (isFence(s)) return ObjectClass::kBuilding;
+  return on_foot_or_bicycle || isCar(s) ? ObjectClass::kHighMobility : ObjectClass::kUnknown;
+}
+
 }  // namespace
 
 ObjectClass classify(const FeatureVector& features, std::size_t points, const ClassConfig& config) {
   const Shape s(features);
-  if (s.bottom > config.airborne) {
-    return isLeafy(s, config) ? ObjectClass::kVegetation : ObjectClass::kBuilding;
-  }
-  if (isTall(s, config)) return classifyTall(s, points, config);
-  if (s.length > config.long_length || s.width > config.long_width) return classifyLarge(s, config);
-  if (s.top < config.low) return ObjectClass::kUnknown;
-  const bool on_foot_or_bicycle = isPerson(s) || isCyclist(s);
-  if (!on_foot_or_bicycle && isBush(s, config)) return ObjectClass::kVegetation;
-  if (isFence(s)) return ObjectClass::kBuilding;
-  return on_foot_or_bicycle || isCar(s) ? ObjectClass::kHighMobility : ObjectClass::kUnknown;
+  const ObjectClass by_shape = classifyByShape(s, points, config);
+  return isTested(by_shape) && isRough(s, points, config) ? ObjectClass::kVegetation : by_shape;
 }
 
 }  // namespace segdf

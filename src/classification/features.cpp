@@ -23,6 +23,7 @@ constexpr std::int32_t kTopRows = 3;
 constexpr float kFootprintCell = 0.3F;         // m
 constexpr float kMaxFootprintCells = 1000.0F;  // along a side; a larger segment has larger cells
 constexpr float kContactHeight = 0.6F;         // m
+constexpr std::size_t kRoughPoints = 10;
 constexpr float kLowQuantile = 0.02F;
 constexpr float kHighQuantile = 0.98F;
 constexpr float kSmallLength = 0.01F;  // m; keeps ratios finite
@@ -116,6 +117,19 @@ void setLocalShares(const std::vector<Surface>& surfaces,
   f[Feature::kVerticalShare] = share(vertical, normals);
 }
 
+/// The median of what is known; 0 where it is known of too few to tell.
+float roughness(const std::vector<Surface>& surfaces, const Indices& indices) {
+  std::vector<float> known;
+  known.reserve(indices.size());
+  for (std::uint32_t i : indices) {
+    if (surfaces[i].roughness >= 0.0F) known.push_back(surfaces[i].roughness);
+  }
+  if (known.size() < kRoughPoints) return 0.0F;
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  return *middle;
+}
+
 void setHeights(const std::vector<float>& height, const Indices& indices, FeatureVector& f) {
   std::vector<float> heights;
   heights.reserve(indices.size());
@@ -200,6 +214,7 @@ void describeSegment(const PointAttributes& attributes, Segment& segment) {
   setBoxFeatures(segment, f);
   f[Feature::kTopcut] = topcut(attributes, segment.points);
   f[Feature::kGroundContact] = groundContact(attributes, segment);
+  f[Feature::kRoughness] = roughness(attributes.surfaces, segment.points);
 }
 
 }  // namespace segdf

@@ -76,7 +76,7 @@ class BorderWalk {
   /// First point within reach in a direction, kNone when there is none.
   std::int32_t neighbour(std::uint32_t i, int down, int right) const {
     std::int32_t found = RangeImage::kNone;
-    for (int step = 1; step <= pieces_.reach() && found == RangeImage::kNone; ++step) {
+    for (int step = 1; step <= image_.reach() && found == RangeImage::kNone; ++step) {
       found = image_.at(image_.rowOf(i) + down * step, image_.columnOf(i) + right * step);
     }
     return found;

@@ -10,20 +10,6 @@ namespace segdf {
 
 namespace {
 
-constexpr int kLeastReach = 2;
-constexpr int kMostReach = 8;
-
-/// Twice the columns between neighbours in the fullest row: a sensor may have fewer than the image.
-int reachOf(const RangeImage& image, std::size_t points) {
-  std::vector<int> returns(static_cast<std::size_t>(image.rows()), 0);
-  int fullest = 1;
-  for (std::size_t i = 0; i < points; ++i) {
-    if (image.rowOf(i) == RangeImage::kNone) continue;
-    fullest = std::max(fullest, ++returns[static_cast<std::size_t>(image.rowOf(i))]);
-  }
-  return std::clamp((2 * image.columns() + fullest / 2) / fullest, kLeastReach, kMostReach);
-}
-
 /// Unites neighbours that differ by less than `jump`, and keeps those from there to `next_jump`.
 class Connector {
  public:
@@ -31,14 +17,13 @@ class Connector {
             const std::vector<std::int32_t>& cluster,
             float jump,
             float next_jump,
-            int reach,
             UnionFind& pieces,
             std::vector<ImageLink>& next_links)
       : image_(image),
         cluster_(cluster),
         jump_(jump),
         next_jump_(next_jump),
-        reach_(reach),
+        reach_(image.reach()),
         pieces_(pieces),
         next_links_(next_links) {}
 
@@ -92,10 +77,9 @@ ImagePieces::ImagePieces(const RangeImage& image,
     : image_(image),
       jump_(jump),
       next_jump_(next_jump),
-      reach_(reachOf(image, cluster.size())),
       cluster_(cluster),
       pieces_(cluster.size()) {
-  Connector connector(image_, cluster_, jump, next_jump, reach_, pieces_, next_links_);
+  Connector connector(image_, cluster_, jump, next_jump, pieces_, next_links_);
   for (std::uint32_t i = 0; i < cluster.size(); ++i) {
     if (cluster[i] != Clusters::kNoise) connector.connect(i);
   }
@@ -119,7 +103,7 @@ void ImagePieces::proceed(const std::vector<std::int32_t>& cluster) {
     if (is_stale(i)) pieces_.isolate(i);
   }
   std::vector<ImageLink> none;
-  Connector connector(image_, cluster, next_jump_, next_jump_, reach_, pieces_, none);
+  Connector connector(image_, cluster, next_jump_, next_jump_, pieces_, none);
   for (std::uint32_t i = 0; i < cluster.size(); ++i) {
     if (is_stale(i)) connector.connect(i);
   }

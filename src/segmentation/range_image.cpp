@@ -19,6 +19,9 @@ double elevationDegrees(const Point& p) {
   return arcTangent2(static_cast<double>(p.z), std::sqrt(x * x + y * y)) * 180.0 / kPi;
 }
 
+constexpr int kLeastReach = 2;
+constexpr int kMostReach = 8;
+
 // No sensor has more lasers; a field that says so holds something else.
 constexpr std::int16_t kMaxRings = 256;
 
@@ -81,6 +84,16 @@ RangeImage::RangeImage(const std::vector<Point>& points,
       cell = static_cast<std::int32_t>(i);
     }
   }
+  reach_ = measureReach();
+}
+
+int RangeImage::measureReach() const {
+  std::vector<int> returns(static_cast<std::size_t>(rows_), 0);
+  int fullest = 1;
+  for (std::int32_t row : row_) {
+    if (row != kNone) fullest = std::max(fullest, ++returns[static_cast<std::size_t>(row)]);
+  }
+  return std::clamp((2 * columns_ + fullest / 2) / fullest, kLeastReach, kMostReach);
 }
 
 void RangeImage::assignRows(const std::vector<Point>& points,

@@ -12,6 +12,7 @@
 #include "segdf/segmentation/cluster_shape.hpp"
 #include "segdf/segmentation/ground.hpp"
 #include "segdf/segmentation/intensity.hpp"
+#include "segdf/segmentation/line_roughness.hpp"
 #include "segdf/segmentation/object_feet.hpp"
 #include "segdf/segmentation/vehicle_feet.hpp"
 #include "segdf/segmentation/vehicle_fragments.hpp"
@@ -84,14 +85,13 @@ std::vector<KeyedPoint> objectKeys(const Scan& scan,
 
 /// Visiting points in the order of the scan leaves the indices of each segment sorted.
 std::vector<Segment> collectSegments(const Scan& scan,
-                                     const CurvedVoxels& voxels,
-                                     const Clusters& clusters) {
-  const std::vector<std::int32_t> of_point = clusterOfPoints(scan.points.size(), voxels, clusters);
-  std::vector<std::size_t> sizes(clusters.count, 0);
+                                     const std::vector<std::int32_t>& of_point,
+                                     std::size_t clusters) {
+  std::vector<std::size_t> sizes(clusters, 0);
   for (std::int32_t cluster : of_point) {
     if (cluster != Clusters::kNoise) ++sizes[static_cast<std::size_t>(cluster)];
   }
-  std::vector<Segment> segments(clusters.count);
+  std::vector<Segment> segments(clusters);
   for (std::size_t s = 0; s < segments.size(); ++s) segments[s].points.reserve(sizes[s]);
   for (std::size_t i = 0; i < of_point.size(); ++i) {
     if (of_point[i] == Clusters::kNoise) continue;
@@ -154,7 +154,10 @@ Segmentation segmentScan(const Scan& scan, const Config& config, int threads, St
   seg.clusters = clusterVoxels(scan.points, intensity, seg.voxels, grid, config.cvi);
   carveClusters(scan.points, *image, seg.height, config, seg.voxels, seg.clusters);
   completeVehicles(scan, *image, config, grid, seg);
-  seg.segments = collectSegments(scan, seg.voxels, seg.clusters);
+  const std::vector<std::int32_t> of_point =
+      clusterOfPoints(scan.points.size(), seg.voxels, seg.clusters);
+  measureRoughness(scan.points, *image, of_point, threads, seg.surfaces);
+  seg.segments = collectSegments(scan, of_point, seg.clusters.count);
   return seg;
 }
 

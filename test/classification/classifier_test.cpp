@@ -127,6 +127,25 @@ TEST(Classifier, FoliageIsVegetation) {
   EXPECT_EQ(classOf(crown), ObjectClass::kVegetation);
 }
 
+// Few lasers give no normals: a bush has the share of smooth points of a car then.
+TEST(Classifier, WhatIsRoughAlongTheLinesIsVegetation) {
+  const auto rough = [](FeatureVector f) {
+    f[Feature::kSmoothShare] = 0.15F;
+    f[Feature::kRoughness] = 0.06F;
+    return f;
+  };
+  const FeatureVector bush = rough(object(2.6F, 1.5F, 1.4F));
+  EXPECT_EQ(classOf(bush), ObjectClass::kVegetation);
+  EXPECT_TRUE(isTested(classify(bush, 40, ClassConfig{}))) << "a far car, of which little is seen";
+  EXPECT_TRUE(isTested(classOf(rough(object(1.9F, 0.7F, 1.7F))))) << "cyclist";
+  FeatureVector car = bush;
+  car[Feature::kSmoothShare] = 0.3F;
+  EXPECT_TRUE(isTested(classOf(car))) << "half of it seen through its windows";
+  car = bush;
+  car[Feature::kRoughness] = 0.03F;
+  EXPECT_TRUE(isTested(classOf(car)));
+}
+
 TEST(Classifier, ACutObjectIsTall) {
   FeatureVector trunk = object(0.5F, 0.4F, 2.2F);
   EXPECT_NE(classOf(trunk), ObjectClass::kBuilding);

@@ -112,5 +112,21 @@ TEST(Features, LocalSharesCountOnlyWhatIsKnown) {
   EXPECT_FLOAT_EQ(segment.features[Feature::kLocalCurvature], 0.08F);
 }
 
+TEST(Features, RoughnessIsTheMedianOfWhatIsKnownOfTenPointsOrMore) {
+  const auto points = test::randomBlob({10, 0, 1}, {1, 1, 1}, 20, 8);
+  std::vector<Surface> surfaces(points.size());
+  for (std::size_t i = 0; i < 9; ++i) surfaces[i].roughness = 0.01F * static_cast<float>(i);
+  Segment segment;
+  segment.points.resize(points.size());
+  std::iota(segment.points.begin(), segment.points.end(), 0U);
+  const std::vector<float> height(points.size(), 0.0F);
+  const std::vector<std::int32_t> cells(points.size(), 5);
+  describeSegment({points, height, cells, cells, surfaces}, segment);
+  EXPECT_EQ(segment.features[Feature::kRoughness], 0.0F);
+  surfaces[9].roughness = 5.0F;
+  describeSegment({points, height, cells, cells, surfaces}, segment);
+  EXPECT_FLOAT_EQ(segment.features[Feature::kRoughness], 0.05F);
+}
+
 }  // namespace
 }  // namespace segdf

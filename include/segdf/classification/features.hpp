@@ -34,6 +34,9 @@ UprightBox fitBox(const std::vector<Point>& points, const std::vector<std::uint3
 /// share of azimuth columns whose highest point lies in the top 3 lasers, share of footprint cells
 /// (0.3 m) whose lowest point is less than 0.3 m above ground.
 ///
+/// Roughness: median distance, along the ray, of a point from the line between its neighbours to
+/// the left and right [m], 0 where that is known of fewer than 10 points (docs/segmentation.md).
+///
 /// Sets segment.box and segment.features; every value is finite.
 void describeSegment(const PointAttributes& attributes, Segment& segment);
 

@@ -231,6 +231,8 @@ struct ClassConfig {
   double bush_smooth = 0.05;
   double bush_curvature = 0.10;
   double bush_vertical = 0.5;
+  double rough = 0.04;
+  double rough_smooth = 0.2;
   double wall_vertical = 0.7;
   double wall_thickness = 0.7;
   double wall_sigma = 0.25;
@@ -265,6 +267,9 @@ struct ClassConfig {
     v.number("bush_curvature", s.bush_curvature, 0.0, 1.0, "", "... local curvature above ...");
     v.number("bush_vertical", s.bush_vertical, 0.0, 1.0, "",
              "... and share of vertical normals below");
+    v.number("rough", s.rough, 0.0, 1.0, "m",
+             "rough foliage: distance from the neighbours' line along the ray above ...");
+    v.number("rough_smooth", s.rough_smooth, 0.0, 1.0, "", "... and share of smooth points below");
     v.number("wall_vertical", s.wall_vertical, 0.0, 1.0, "",
              "wall: share of vertical normals above");
     v.number("wall_thickness", s.wall_thickness, 0.0, 5.0, "m", "wall: thinner than this ...");

@@ -13,7 +13,7 @@
 namespace segdf {
 
 /// The geometric feature vector without shape histograms: 17 of the eigenvalue block, 13 of the
-/// scale block (draft III-C; definitions in classification/features.hpp).
+/// scale block (draft III-C), and roughness (definitions in classification/features.hpp).
 enum class Feature : std::uint8_t {
   kLinearity,
   kPlanarity,
@@ -45,6 +45,7 @@ enum class Feature : std::uint8_t {
   kDensity,
   kTopcut,
   kGroundContact,
+  kRoughness,
   kCount,
 };
 
@@ -79,6 +80,7 @@ enum class PointRole : std::uint8_t { kUnused, kGround, kObject };
 struct Surface {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit, towards the sensor; zero = not known
   float curvature = -1.0F;                           ///< change of curvature; negative = not known
+  float roughness = -1.0F;  ///< from the line between its neighbours, metres; negative = not known
 
   bool hasNormal() const { return normal.squaredNorm() > 0.5F; }
 };

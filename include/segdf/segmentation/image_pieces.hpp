@@ -39,8 +39,6 @@ class ImagePieces {
   /// @param cluster as in the constructor, but that parts of clusters may be new ones
   void proceed(const std::vector<std::int32_t>& cluster);
 
-  /// Columns or rows looked across for a neighbour: every other one may be without return.
-  int reach() const { return reach_; }
   /// Number of points in the piece of a point; 0 for a point in no cluster.
   std::uint32_t sizeAt(std::size_t point) const { return size_[root_[point]]; }
   /// True when `point` (kNone when there is none) belongs to the piece.
@@ -58,7 +56,6 @@ class ImagePieces {
   const RangeImage& image_;
   float jump_;
   float next_jump_;
-  int reach_;
   std::vector<std::int32_t> cluster_;
   UnionFind pieces_;
   std::vector<ImageLink> next_links_;        ///< from `jump` up to `next_jump`

@@ -37,6 +37,9 @@ class RangeImage {
     return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
   }
+  /// Columns or rows to look across for a neighbour: twice the columns between returns in the
+  /// fullest row, 2 to 8. A sensor may have fewer columns than the image.
+  int reach() const { return reach_; }
   /// Azimuth of each point as a share of a full turn; anything for unused points.
   const std::vector<double>& turns() const { return turns_; }
   /// Distance of a point from the sensor, metres.
@@ -46,9 +49,11 @@ class RangeImage {
   void assignRows(const std::vector<Point>& points,
                   const std::vector<PointRole>& roles,
                   const RangeImageConfig& config);
+  int measureReach() const;
 
   int rows_ = 0;
   int columns_ = 0;
+  int reach_ = 0;
   std::vector<double> turns_;
   std::vector<std::int32_t> row_;
   std::vector<std::int32_t> column_;
