@@ -19,7 +19,9 @@ constexpr float kNearestPlace = 1.4F;
 constexpr float kFarthestPlace = 75.0F;
 constexpr std::int16_t kEmpty = std::numeric_limits<std::int16_t>::max();
 constexpr float kFarthestRange = 320.0F;  // metres; fits in 16 bits as centimetres
-constexpr int kEnoughBins = 3;            // that are not empty, for FREE beside an empty own bin
+constexpr float kRowLevels = 256.0F;      // of a row, told apart
+constexpr std::uint8_t kTopLevel = 255;
+constexpr int kEnoughBins = 3;  // that are not empty, for FREE beside an empty own bin
 
 // Bins that are looked at together: as many as fit the registers of every processor.
 constexpr std::size_t kLanes = 8;
@@ -36,6 +38,13 @@ int sumOf(const Lanes& lanes) {
   int sum = 0;
   for (std::size_t k = 0; k < kLanes; ++k) sum += lanes[k];
   return sum;
+}
+
+/// How high in a row a place lies, from its lower edge to the top. @param place in rows, in this
+/// one or above it
+std::uint8_t levelOf(float place, int row) {
+  const float level = kRowLevels * (place - static_cast<float>(row));
+  return static_cast<std::uint8_t>(std::min(level, static_cast<float>(kTopLevel)));
 }
 
 int centimetres(float metres) {
@@ -106,14 +115,17 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   // The last bins are loaded together with what comes after them.
   nearest_.assign(index(rows_, 0) + kLanes, kEmpty);
   farthest_.assign(nearest_.size(), 0);
+  lowest_level_.assign(nearest_.size(), kTopLevel);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
-    const int row = static_cast<int>((seen.elevation[i] - lowest_) / row_step_);
+    const float place = (seen.elevation[i] - lowest_) / row_step_;
+    const int row = static_cast<int>(place);
     const int column = static_cast<int>((seen.azimuth[i] + kPi) / column_step_);
     const auto range = static_cast<Centimetres>(centimetres(seen.range[i]));
     const std::size_t bin = index(std::min(row, rows_ - 1), std::min(column, columns_ - 1));
     nearest_[bin] = std::min(nearest_[bin], range);
     farthest_[bin] = std::max(farthest_[bin], range);
+    lowest_level_[bin] = std::min(lowest_level_[bin], levelOf(place, row));
   }
   for (int row = 0; row < rows_; ++row) {
     for (int k = 1; k <= pad_; ++k) {
@@ -121,6 +133,8 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
         (*image)[index(row, -k)] = (*image)[index(row, columns_ - k)];
         (*image)[index(row, columns_ - 1 + k)] = (*image)[index(row, k - 1)];
       }
+      lowest_level_[index(row, -k)] = lowest_level_[index(row, columns_ - k)];
+      lowest_level_[index(row, columns_ - 1 + k)] = lowest_level_[index(row, k - 1)];
     }
   }
 }
@@ -204,8 +218,10 @@ VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) cons
   if (!(block.row[k] >= 0.0F && block.row[k] < static_cast<float>(rows_))) {
     return VolumetricState::kUnknown;
   }
-  const Bin bin{static_cast<int>(block.row[k]),
-                std::min(static_cast<int>(block.column[k]), columns_ - 1)};
+  const int row = static_cast<int>(block.row[k]);
+  const float margin = block.margin[k] * column_step_ / row_step_;  // rows
+  const Bin bin{row, std::min(static_cast<int>(block.column[k]), columns_ - 1),
+                levelOf(block.row[k] + margin, row)};
   const float tolerance = std::max(tau_, tau_ratio_ * range);
   const int near = centimetres(range - tolerance);
   const int far = centimetres(range + tolerance);
@@ -219,9 +235,29 @@ VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) cons
   // it ends before.
   const Level& level = levels_[static_cast<std::size_t>(columns - 1)];
   if (level.nearest[own] == kEmpty) return VolumetricState::kUnknown;
-  if (level.nearest[own] > far && nearest_[own] != kEmpty) return VolumetricState::kFree;
+  if (level.nearest[own] > far && nearest_[own] != kEmpty) {
+    return stateOfPassed(bin, level.window);
+  }
   if (level.farthest[own] < near) return VolumetricState::kOccluded;
   return search(bin, level.window, near, far);
+}
+
+VolumetricState VisibilityImage::stateOfPassed(const Bin& bin, const Window& window) const {
+  const bool told = bin.row == 0 || returnsBelow(bin, window);
+  return told ? VolumetricState::kFree : VolumetricState::kUnknown;
+}
+
+bool VisibilityImage::returnsBelow(const Bin& bin, const Window& window) const {
+  for (int right = -window.columns; right <= window.columns; ++right) {
+    const std::size_t beside = index(bin.row, bin.column + right);
+    if (nearest_[beside] != kEmpty && lowest_level_[beside] <= bin.level) return true;
+  }
+  for (int row = bin.row - 1; row >= std::max(0, bin.row - window.rows); --row) {
+    for (int right = -window.columns; right <= window.columns; ++right) {
+      if (nearest_[index(row, bin.column + right)] != kEmpty) return true;
+    }
+  }
+  return false;
 }
 
 VolumetricState VisibilityImage::search(const Bin& bin,
@@ -260,7 +296,7 @@ VolumetricState VisibilityImage::search(const Bin& bin,
   const int bins = sumOf(seen);
   const bool own = nearest_[index(bin.row, bin.column)] != kEmpty;
   if (bins > 0 && sumOf(behind) == bins && (own || bins >= kEnoughBins)) {
-    return VolumetricState::kFree;
+    return stateOfPassed(bin, window);
   }
   if (bins > 0 && 2 * sumOf(before) >= bins) return VolumetricState::kOccluded;
   return VolumetricState::kUnknown;

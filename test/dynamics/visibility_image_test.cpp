@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/dynamics/visibility_image.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "support/box_world.hpp"
@@ -43,6 +46,34 @@ TEST(VisibilityImage, WhereNoRayReturnedNothingIsKnown) {
   EXPECT_EQ(stateIn(image, {5.0F, 0.0F, 5.0F}), VolumetricState::kUnknown) << "above the lasers";
   const VisibilityImage nothing = imageOf(Scan{});
   EXPECT_EQ(stateIn(nothing, {10.0F, 0.0F, 0.0F}), VolumetricState::kUnknown);
+}
+
+// A black car 50 m away returns nothing; the rays over its roof end on the wall behind it.
+TEST(VisibilityImage, RaysOverADarkThingDoNotSeeThroughIt) {
+  test::BoxWorld world;
+  world.add(57.5, 0.0, 1.0, 60.0, 6.0);
+  const Scan wall = world.scan(0.0, 0.0, 0.0, 1);
+  Scan dark = wall;
+  const auto elevation = [](const Point& p) { return std::atan2(p.z, std::hypot(p.x, p.y)); };
+  constexpr float kRoof = -0.005F;  // rad: the lasers are 0.007 rad apart up there
+  dark.points.erase(std::remove_if(dark.points.begin(), dark.points.end(),
+                                   [&](const Point& p) {
+                                     return p.x > 0.0F && std::abs(p.y) < 0.1F * p.x &&
+                                            elevation(p) < kRoof;
+                                   }),
+                    dark.points.end());
+  float lowest = 1.0F;
+  for (const Point& p : dark.points) {
+    if (p.x > 0.0F && std::abs(p.y) < 0.1F * p.x) lowest = std::min(lowest, elevation(p));
+  }
+  // In the row of the lowest rays that pass, below them by more than the margin of 0.15 m at 50 m.
+  for (float below : {0.004F, 0.006F, 0.008F}) {
+    const Eigen::Vector3f place(50.0F, 0.0F, 50.0F * (lowest - below));
+    EXPECT_EQ(stateIn(imageOf(wall), place), VolumetricState::kFree) << below;
+    EXPECT_EQ(stateIn(imageOf(dark), place), VolumetricState::kUnknown) << below;
+  }
+  const Eigen::Vector3f over_the_roof(50.0F, 0.0F, 50.0F * (lowest + 0.001F));
+  EXPECT_EQ(stateIn(imageOf(dark), over_the_roof), VolumetricState::kFree);
 }
 
 TEST(VisibilityImage, NothingOfAScanIsFreeInItsOwnImage) {

@@ -34,7 +34,9 @@ class VisibilityImage {
 
   /// States of places. HIT when a bin within the margin df.margin has its nearest or farthest
   /// return within the tolerance max(df.tau, df.tau_ratio r) of range r; FREE when every non-empty
-  /// bin there begins behind the tolerance; OCCLUDED when at least half of them begin before it.
+  /// bin there begins behind the tolerance, and not all of its rays are above the place: a dark car
+  /// far away returns nothing, and the rays over its roof go past; OCCLUDED when at least half of
+  /// the bins begin before it.
   /// @param places in any frame, a row each, metres
   /// @param image_T_places takes them into the sensor frame of this scan
   /// @param[out] states one for each place
@@ -60,6 +62,7 @@ class VisibilityImage {
   struct Bin {
     int row = 0;
     int column = 0;
+    std::uint8_t level = 0;  ///< up to which a ray in this row is not above the place
   };
   struct Window {
     int rows = 0;     ///< half, in bins
@@ -83,6 +86,9 @@ class VisibilityImage {
   std::vector<Centimetres> around(const std::vector<Centimetres>& image,
                                   const Window& window,
                                   const Choose& choose) const;
+  /// FREE when every ray around went past, unless all of these are above the place: UNKNOWN.
+  VolumetricState stateOfPassed(const Bin& bin, const Window& window) const;
+  bool returnsBelow(const Bin& bin, const Window& window) const;
   VolumetricState search(const Bin& bin, const Window& window, int near, int far) const;
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride_) +
@@ -101,6 +107,7 @@ class VisibilityImage {
   int stride_ = 0;
   std::vector<Centimetres> nearest_;
   std::vector<Centimetres> farthest_;
+  std::vector<std::uint8_t> lowest_level_;  // of the returns in each bin
   std::array<Level, kLevels> levels_;
 };
 
