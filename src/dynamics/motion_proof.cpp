@@ -103,8 +103,12 @@ bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here) {
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
                  const MotionProofs& proofs,
+                 const MotionProofs& views,
                  const DynamicConfig& config) {
-  const MotionProofs far = elsewhere(proofs, proofOf(frame, segment));
+  const MotionProof here = proofOf(frame, segment);
+  const MotionProofs far = elsewhere(proofs, here);
+  MotionProofs anywhere = elsewhere(views, here);
+  anywhere.insert(anywhere.end(), far.begin(), far.end());
   const std::size_t points = frame.seg.segments[segment].points.size();
   double seconds = 0.0;
   int scans = 0;
@@ -113,10 +117,10 @@ bool standsApart(const KeyFrame& frame,
   for (const PairVote& vote : frame.evidence->votes[segment]) {
     seen_through = seen_through || isSeenThrough(vote, config);
     if (!isFoundAgain(vote, points, config)) continue;
-    const auto proof = std::find_if(far.begin(), far.end(),
-                                    [&](const MotionProof& p) { return p.scan == vote.scan; });
-    if (proof != far.end()) {
-      seconds += proof->seconds;
+    const auto view = std::find_if(anywhere.begin(), anywhere.end(),
+                                   [&](const MotionProof& v) { return v.scan == vote.scan; });
+    if (view != anywhere.end()) {
+      seconds += view->seconds;
       ++scans;
     }
     beyond += isBetween(far, frame.index, vote.scan) ? 1 : 0;

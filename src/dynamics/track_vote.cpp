@@ -109,13 +109,14 @@ Heirs heirsOf(const KeyFrame& frame, const Window& window) {
 bool TrackBook::moves(const KeyFrame& frame,
                       std::size_t s,
                       const MotionProofs& past,
-                      const MotionProofs& present) {
+                      const Track& track) {
   const Segment& segment = frame.seg.segments[s];
   const std::uint32_t id = frame.instances[s].id;
   const auto alike = [&](const MotionProof& proof) {
     return isSameSize(proof.size, segment.box.size);
   };
   const bool parked = isParkedHere(frame, s, config_);
+  const MotionProofs& present = track.proofs;
   if (!parked && std::count_if(present.begin(), present.end(), alike) >= kProofs) return true;
   if (parked && config_.semi_static != SemiStatic::kRemove) return false;
   MotionProofs proofs = past;
@@ -125,9 +126,11 @@ bool TrackBook::moves(const KeyFrame& frame,
       !wentAway(proofs, proofOf(frame, s))) {
     return false;
   }
-  const bool apart = standsApart(frame, s, proofs, config_);
+  Past& here = past_.at(id);
+  MotionProofs views = here.views;
+  views.insert(views.end(), track.views.begin(), track.views.end());
+  const bool apart = standsApart(frame, s, proofs, views, config_);
   if (apart && parked) {
-    Past& here = past_.at(id);
     ++here.apart;
     here.last_apart = frame.index;
   }
@@ -160,8 +163,13 @@ void TrackBook::inherit(const KeyFrame& frame) {
     here.insert(instance.id);
     const auto [past, born] = past_.try_emplace(instance.id);
     if (!born) continue;
+    const auto parent = past_.find(instance.parent);
+    if (parent != past_.end()) {
+      past->second = parent->second;
+      past->second.proofs = pastOf(instance.parent, frame);
+      past->second.moved = false;
+    }
     past->second.born = frame.index;
-    if (instance.parent != 0) past->second.proofs = pastOf(instance.parent, frame);
   }
   for (auto& [id, past] : past_) {
     if (!past.moved || here.count(id) != 0) continue;
@@ -210,12 +218,13 @@ std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& fr
       const std::uint32_t id = other->instances[s].id;
       const auto track = tracks.find(id);
       const auto [heir, end] = heirs.equal_range(id);
-      if (track != tracks.end()) ++track->second.members;
-      if ((track == tracks.end() && heir == end) || !isDynamic(*other, s)) continue;
-      const MotionProof proof = proofOf(*other, s);
-      if (track != tracks.end()) track->second.proofs.push_back(proof);
+      if (track == tracks.end() && heir == end) continue;
+      const MotionProof view = proofOf(*other, s);
+      if (track != tracks.end()) track->second.views.push_back(view);
+      if (!isDynamic(*other, s)) continue;
+      if (track != tracks.end()) track->second.proofs.push_back(view);
       for (auto it = heir; it != end; ++it) {
-        if (other->index < it->second.scan) tracks.at(it->second.id).inherited.push_back(proof);
+        if (other->index < it->second.scan) tracks.at(it->second.id).inherited.push_back(view);
       }
     }
   }
@@ -231,10 +240,10 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
     const Track& track = tracks.at(instance.id);
     MotionProofs past = pastOf(instance.id, *window.front());
     past.insert(past.end(), track.inherited.begin(), track.inherited.end());
-    if (instance.dynamic && isOutvoted(track.members, track.proofs, past)) {
+    if (instance.dynamic && isOutvoted(track.views.size(), track.proofs, past)) {
       instance.dynamic = false;
       instance.reason = Reason::kRestored;
-    } else if (!instance.dynamic && moves(frame, s, past, track.proofs)) {
+    } else if (!instance.dynamic && moves(frame, s, past, track)) {
       instance.dynamic = true;
       instance.reason = Reason::kTrack;
     }
@@ -252,6 +261,10 @@ void TrackBook::note(const KeyFrame& frame) {
     Past& past = past_[instance.id];
     past.seen = now;
     past.moved = provesMotion(frame, s);
+    past.views.push_back(proofOf(frame, s));
+    if (past.views.size() > static_cast<std::size_t>(config_.window)) {
+      past.views.erase(past.views.begin());
+    }
     if (!past.moved) continue;
     addProofs({proofOf(frame, s)}, past.proofs);
   }

@@ -43,6 +43,55 @@ TEST_F(TrackHeirs, WhatIsInheritedOutlastsTheWindow) {
   }
 }
 
+// A car parks; a lorry drives by, and of what its rear uncovers bit by bit, the id goes from the
+// car that has parked to the one in front of it, which stood there all the while.
+TEST_F(TrackHeirs, WhatStoodWhileTheTrackStoodElsewhereStays) {
+  for (std::uint32_t id : {7U, 8U}) {
+    for (bool stood : {true, false}) {
+      TrackBook tracks(config_);
+      moveThroughTheWindow(tracks);
+      const std::size_t parked = frames_.size();
+      for (int k = 0; k < 3; ++k) {
+        addStanding(8.0, 0.1);
+        tracks.propagate(window_, 0);
+        EXPECT_TRUE(frames_.back()->instances[0].dynamic) << "it came, and parked";
+        tracks.note(*frames_.back());
+        window_.clear();
+      }
+      KeyFrame& other = addStanding(14.0, 0.1, stood ? parked : 100);
+      other.instances[0].id = id;
+      if (id != 7) other.instances[0].parent = 7;
+      tracks.propagate(window_, 0);
+      EXPECT_EQ(other.instances[0].dynamic, !stood) << id;
+      window_.clear();
+    }
+  }
+}
+
+// A car drives close by another that is parked, and leaves its id with it. As long as scans from
+// before it came are compared, they found the parked one; its heirs know that later, too.
+TEST_F(TrackHeirs, WhatTheIdWasFoundToStandAsIsInherited) {
+  for (int known : {3, 2}) {
+    TrackBook tracks(config_);
+    const std::size_t moved = frames_.size();
+    moveThroughTheWindow(tracks);
+    for (int k = 0; k < known; ++k) {
+      KeyFrame& parked = addStanding(14.0, 0.1, moved);
+      tracks.propagate(window_, 0);
+      EXPECT_FALSE(parked.instances[0].dynamic)
+          << "scans in which the track moved elsewhere saw it";
+      tracks.note(parked);
+      window_.clear();
+    }
+    KeyFrame& heir = addStanding(14.0, 0.1);
+    heir.instances[0].id = 8;
+    heir.instances[0].parent = 7;
+    tracks.propagate(window_, 0);
+    EXPECT_EQ(heir.instances[0].dynamic, known < 3);
+    window_.clear();
+  }
+}
+
 // A cyclist, and the parked car that was one cluster with him and has the id now.
 TEST_F(TrackHeirs, WhatAStandingPartWasTakenOutOfProvesNothingUnlessItIsHigh) {
   for (float height : {1.5F, 3.0F}) {

@@ -11,7 +11,8 @@
 
 namespace segdf {
 
-/// An instance that the votes made dynamic: it was here then, and is no more, or was not yet.
+/// An instance that the votes made dynamic: it was here then, and is no more, or was not yet. As
+/// one of the views of a track, any instance.
 struct MotionProof {
   std::size_t scan = 0;                              ///< running number
   Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
@@ -43,12 +44,14 @@ bool wentAway(const MotionProofs& proofs, const MotionProof& here);
 /// True when what has the size of the instance was proven to move, for kStrongSeconds, elsewhere.
 bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here);
 
-/// True when scans in which the track moved elsewhere found the segment here, two or more and for
-/// long enough; or when several did on the other side of such scans, and none saw through it:
-/// nothing leaves and comes back to the same place unseen.
+/// True when scans in which the track was elsewhere found the segment here, two or more and for
+/// long enough; or when several did on the other side of scans in which it moved elsewhere, and
+/// none saw through it: nothing leaves and comes back to the same place unseen.
+/// @param views of the track, moving or not, by all scans that may have voted
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
                  const MotionProofs& proofs,
+                 const MotionProofs& views,
                  const DynamicConfig& config);
 
 /// True when the track moved only later than the segment's scan, and no scan since it did saw

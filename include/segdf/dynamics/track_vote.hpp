@@ -20,7 +20,7 @@ namespace segdf {
 /// df.semi_static says that what moved at any time goes (a car that stops at lights), and its track
 /// moved for 0.75 s so, by members that are no longer than it is, nor a walker's, and either moved
 /// before, or some scan saw through the segment since: what leaves opens its place. Nothing goes
-/// where it was found again by frames in which the track moved elsewhere, or on the other side of
+/// where it was found again by frames in which the track was elsewhere, or on the other side of
 /// these in time: then another object stands here, and the id has passed on to it. What the votes
 /// make dynamic is restored when hardly any of many members of its track are (compensation). What
 /// moved elsewhere at the same size is marked as whole. Memory: tracks that have left the window,
@@ -40,9 +40,9 @@ class TrackBook {
  private:
   /// What the window holds of one id.
   struct Track {
-    std::size_t members = 0;
     MotionProofs inherited;  ///< from what it was a part of
     MotionProofs proofs;     ///< members that the votes make dynamic so far
+    MotionProofs views;      ///< all members, moving or not
   };
   /// What so many votes make of an instance.
   struct Judgement {
@@ -53,6 +53,7 @@ class TrackBook {
   /// What decided frames told of an id.
   struct Past {
     MotionProofs proofs;         ///< its own and inherited ones
+    MotionProofs views;          ///< the same, moving or not, of as many scans as a window has
     std::size_t born = 0;        ///< scan that had it first
     double seen = 0.0;           ///< when it was last, seconds
     bool moved = false;          ///< then, by the votes, and has no heir yet
@@ -76,7 +77,7 @@ class TrackBook {
   bool moves(const KeyFrame& frame,
              std::size_t segment,
              const MotionProofs& past,
-             const MotionProofs& present);
+             const Track& track);
 
   DynamicConfig config_;
   std::map<std::uint32_t, Past> past_;  ///< of what may yet be seen again
