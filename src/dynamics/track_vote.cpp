@@ -60,11 +60,7 @@ bool isParkedHere(const KeyFrame& frame, std::size_t s, const DynamicConfig& con
 
 /// True when hardly any member of the track moved, of many. A car that came and stopped is seen
 /// through from before it came for seconds, and so are many of its members.
-bool isOutvoted(std::size_t present_members,
-                const MotionProofs& present,
-                const MotionProofs& past) {
-  const std::size_t dynamic = present.size() + past.size();
-  const std::size_t members = present_members + past.size();
+bool isOutvoted(std::size_t dynamic, std::size_t members) {
   return members >= kManyMembers &&
          static_cast<double>(dynamic) < kFewDynamic * static_cast<double>(members);
 }
@@ -108,33 +104,39 @@ Heirs heirsOf(const KeyFrame& frame, const Window& window) {
 
 bool TrackBook::moves(const KeyFrame& frame,
                       std::size_t s,
-                      const MotionProofs& past,
-                      const Track& track) {
+                      MotionProofs proofs,
+                      const MotionProofs& present,
+                      const Window& window) {
   const Segment& segment = frame.seg.segments[s];
   const std::uint32_t id = frame.instances[s].id;
   const auto alike = [&](const MotionProof& proof) {
     return isSameSize(proof.size, segment.box.size);
   };
   const bool parked = isParkedHere(frame, s, config_);
-  const MotionProofs& present = track.proofs;
   if (!parked && std::count_if(present.begin(), present.end(), alike) >= kProofs) return true;
   if (parked && config_.semi_static != SemiStatic::kRemove) return false;
-  MotionProofs proofs = past;
-  proofs.insert(proofs.end(), present.begin(), present.end());
   forgetOthers(id, proofs);
   if (secondsOfMotion(proofs, segment, parked) < kStrongSeconds ||
       !wentAway(proofs, proofOf(frame, s))) {
     return false;
   }
-  Past& here = past_.at(id);
-  MotionProofs views = here.views;
-  views.insert(views.end(), track.views.begin(), track.views.end());
-  const bool apart = standsApart(frame, s, proofs, views, config_);
+  const bool apart = standsApart(frame, s, proofs, viewsOf(id, window), config_);
   if (apart && parked) {
+    Past& here = past_.at(id);
     ++here.apart;
     here.last_apart = frame.index;
   }
   return !apart && !(parked && staysBehind(frame, s, proofs, config_));
+}
+
+MotionProofs TrackBook::viewsOf(std::uint32_t id, const Window& window) const {
+  MotionProofs views = past_.at(id).views;
+  for (const KeyFrame* frame : window) {
+    for (std::size_t s = 0; s < frame->evidence->votes.size(); ++s) {
+      if (frame->instances[s].id == id) views.push_back(proofOf(*frame, s));
+    }
+  }
+  return views;
 }
 
 void TrackBook::forgetOthers(std::uint32_t id, MotionProofs& proofs) const {
@@ -218,13 +220,12 @@ std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& fr
       const std::uint32_t id = other->instances[s].id;
       const auto track = tracks.find(id);
       const auto [heir, end] = heirs.equal_range(id);
-      if (track == tracks.end() && heir == end) continue;
-      const MotionProof view = proofOf(*other, s);
-      if (track != tracks.end()) track->second.views.push_back(view);
-      if (!isDynamic(*other, s)) continue;
-      if (track != tracks.end()) track->second.proofs.push_back(view);
+      if (track != tracks.end()) ++track->second.members;
+      if ((track == tracks.end() && heir == end) || !isDynamic(*other, s)) continue;
+      const MotionProof proof = proofOf(*other, s);
+      if (track != tracks.end()) track->second.proofs.push_back(proof);
       for (auto it = heir; it != end; ++it) {
-        if (other->index < it->second.scan) tracks.at(it->second.id).inherited.push_back(view);
+        if (other->index < it->second.scan) tracks.at(it->second.id).inherited.push_back(proof);
       }
     }
   }
@@ -238,18 +239,19 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
     const Track& track = tracks.at(instance.id);
-    MotionProofs past = pastOf(instance.id, *window.front());
-    past.insert(past.end(), track.inherited.begin(), track.inherited.end());
-    if (instance.dynamic && isOutvoted(track.views.size(), track.proofs, past)) {
+    MotionProofs proofs = pastOf(instance.id, *window.front());
+    proofs.insert(proofs.end(), track.inherited.begin(), track.inherited.end());
+    const std::size_t members = proofs.size() + track.members;
+    proofs.insert(proofs.end(), track.proofs.begin(), track.proofs.end());
+    if (instance.dynamic && isOutvoted(proofs.size(), members)) {
       instance.dynamic = false;
       instance.reason = Reason::kRestored;
-    } else if (!instance.dynamic && moves(frame, s, past, track)) {
+    } else if (!instance.dynamic && moves(frame, s, proofs, track.proofs, window)) {
       instance.dynamic = true;
       instance.reason = Reason::kTrack;
     }
     if (instance.dynamic) {
-      past.insert(past.end(), track.proofs.begin(), track.proofs.end());
-      instance.whole = movedAsAWhole(past, proofOf(frame, s));
+      instance.whole = movedAsAWhole(proofs, proofOf(frame, s));
     }
   }
 }

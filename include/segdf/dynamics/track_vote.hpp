@@ -40,9 +40,9 @@ class TrackBook {
  private:
   /// What the window holds of one id.
   struct Track {
+    std::size_t members = 0;
     MotionProofs inherited;  ///< from what it was a part of
     MotionProofs proofs;     ///< members that the votes make dynamic so far
-    MotionProofs views;      ///< all members, moving or not
   };
   /// What so many votes make of an instance.
   struct Judgement {
@@ -74,10 +74,13 @@ class TrackBook {
   void forgetOthers(std::uint32_t id, MotionProofs& proofs) const;
   /// Proofs of scans before the window's first.
   MotionProofs pastOf(std::uint32_t id, const KeyFrame& first) const;
+  /// Where an id was, moving or not, by the frames of the window and as many before it.
+  MotionProofs viewsOf(std::uint32_t id, const Window& window) const;
   bool moves(const KeyFrame& frame,
              std::size_t segment,
-             const MotionProofs& past,
-             const Track& track);
+             MotionProofs proofs,
+             const MotionProofs& present,
+             const Window& window);
 
   DynamicConfig config_;
   std::map<std::uint32_t, Past> past_;  ///< of what may yet be seen again
