@@ -18,8 +18,26 @@ namespace {
 using test::makeKeyFrame;
 using test::segmentAt;
 
+/// Key frames that get their ids from those before them.
+class LinksTest : public ::testing::Test {
+ protected:
+  void nameAll(KeyFrame& first) {
+    for (Instance& instance : first.instances) instance.id = ids_.next();
+  }
+
+  void link(const Window& before, KeyFrame& to) {
+    const KeyFrame& last = *before.back();
+    passOnIds(before, to, overlapSegments(last, pointsOfSegments(last), to, grid_, 1), config_.df,
+              ids_);
+  }
+
+  Config config_;
+  CurvedGrid grid_{config_.cvi, config_.input.min_range};
+  IdSource ids_;
+};
+
 /// A van seen whole in one scan, and as two halves behind a pillar in the other.
-class FusionTest : public ::testing::Test {
+class FusionTest : public LinksTest {
  protected:
   void SetUp() override {
     // Stage 2 of the clustering would close the gap by itself: different paint keeps the halves
@@ -33,13 +51,10 @@ class FusionTest : public ::testing::Test {
     halves.add(20.0, -9.0, 1.0, 1.0, 1.6, 0.2F);
     from_ = makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 1), config_);
     to_ = makeKeyFrame(halves.scan(0.0, 0.0, 0.0, 2), config_);
-    for (Instance& instance : from_->instances) instance.id = ids_.next();
+    nameAll(*from_);
     overlaps_ = overlapSegments(*from_, pointsOfSegments(*from_), *to_, grid_, 1);
   }
 
-  Config config_;
-  CurvedGrid grid_{config_.cvi, config_.input.min_range};
-  IdSource ids_;
   std::unique_ptr<KeyFrame> from_;
   std::unique_ptr<KeyFrame> to_;
   std::vector<SegmentOverlap> overlaps_;
@@ -88,7 +103,7 @@ TEST_F(FusionTest, WithoutFusionOneHalfInheritsTheIdAndTheOtherGetsANewOne) {
 }
 
 /// A car of which only the rear end is seen, and 0.3 s later all of it.
-class GrowingCarTest : public ::testing::Test {
+class GrowingCarTest : public LinksTest {
  protected:
   /// @param speed it was seen to have, m/s. @param left the later scan sees through its place
   /// @param x where it is then. @return whether it keeps its id
@@ -100,8 +115,7 @@ class GrowingCarTest : public ::testing::Test {
     const std::unique_ptr<KeyFrame> from = makeKeyFrame(rear.scan(0.0, 0.0, 0.0, 1), config_);
     const std::unique_ptr<KeyFrame> to =
         makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 300000001), config_);
-    IdSource ids;
-    for (Instance& instance : from->instances) instance.id = ids.next();
+    nameAll(*from);
     to->index = 1;
     const std::size_t end = segmentAt(*from, 14.0, 8.0);
     Instance& car = from->instances[end];
@@ -109,13 +123,9 @@ class GrowingCarTest : public ::testing::Test {
     from->evidence = std::make_shared<FrameEvidence>(prepareEvidence(*from, config_.df));
     from->evidence->votes.resize(from->instances.size());
     if (left) from->evidence->votes[end].push_back({1, 0.3F, 20, 0, true});
-    const CurvedGrid grid(config_.cvi, config_.input.min_range);
-    passOnIds({from.get()}, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1),
-              config_.df, ids);
+    link({from.get()}, *to);
     return to->instances[segmentAt(*to, x, 8.0)].id == car.id;
   }
-
-  Config config_;
 };
 
 TEST_F(GrowingCarTest, KeepsItsIdWhereItsMotionLeads) { EXPECT_TRUE(keepsItsId(15.0)); }
@@ -129,7 +139,7 @@ TEST_F(GrowingCarTest, KeepsItsIdWhereItsPlaceWasSeenToBeLeft) {
 }
 
 /// A car on a road, scan by scan.
-class RoadTest : public ::testing::Test {
+class RoadTest : public LinksTest {
  protected:
   /// Takes a scan of a car at x, 8 m to the left; of an empty road where none is given.
   void scan(double seconds, std::optional<double> x, double height = 1.5) {
@@ -138,16 +148,10 @@ class RoadTest : public ::testing::Test {
     if (x) world.add(*x, 8.0, 4.2, 1.8, height);
     const auto stamp = static_cast<std::uint64_t>(seconds * 1e9) + 1;
     frames_.push_back(makeKeyFrame(world.scan(0.0, 0.0, 0.0, stamp), config_));
-    KeyFrame& to = *frames_.back();
-    if (frames_.size() == 1) {
-      for (Instance& instance : to.instances) instance.id = ids_.next();
-      return;
-    }
+    if (frames_.size() == 1) return nameAll(*frames_.back());
     Window before;
     for (std::size_t k = 0; k + 1 < frames_.size(); ++k) before.push_back(frames_[k].get());
-    const KeyFrame& last = *before.back();
-    passOnIds(before, to, overlapSegments(last, pointsOfSegments(last), to, grid_, 1), config_.df,
-              ids_);
+    link(before, *frames_.back());
   }
 
   /// It drives from 2 to 3 m in two scans, is not seen in the next two, and is at x in the fifth.
@@ -163,9 +167,6 @@ class RoadTest : public ::testing::Test {
     return frames_[frame]->instances[segmentAt(*frames_[frame], x, 8.0)];
   }
 
-  Config config_;
-  CurvedGrid grid_{config_.cvi, config_.input.min_range};
-  IdSource ids_;
   std::vector<std::unique_ptr<KeyFrame>> frames_;
 };
 
@@ -201,7 +202,7 @@ TEST_F(RoadTest, AVelocityIsTakenOverHalfASecond) {
 }
 
 /// A car seen whole at x = 6 m with some velocity, half a second later in two pieces from 4 to 8 m.
-class BrakingCarTest : public ::testing::Test {
+class BrakingCarTest : public LinksTest {
  protected:
   /// @return whether the piece that does not keep the id is known as a part of the car
   bool isPart(double speed) {
@@ -213,20 +214,15 @@ class BrakingCarTest : public ::testing::Test {
     const std::unique_ptr<KeyFrame> from = makeKeyFrame(whole.scan(0.0, 0.0, 0.0, 1), config_);
     const std::unique_ptr<KeyFrame> to =
         makeKeyFrame(pieces.scan(0.0, 0.0, 0.0, 500000001), config_);
-    IdSource ids;
-    for (Instance& instance : from->instances) instance.id = ids.next();
+    nameAll(*from);
     Instance& car = from->instances[segmentAt(*from, 6.0, 8.0)];
     car.velocity.x() = speed;
-    const CurvedGrid grid(config_.cvi, config_.input.min_range);
-    passOnIds({from.get()}, *to, overlapSegments(*from, pointsOfSegments(*from), *to, grid, 1),
-              config_.df, ids);
+    link({from.get()}, *to);
     const Instance& rear = to->instances[segmentAt(*to, 4.5, 8.0)];
     const Instance& front = to->instances[segmentAt(*to, 6.85, 8.0)];
     EXPECT_TRUE((rear.id == car.id) != (front.id == car.id));
     return (rear.id == car.id ? front : rear).parent == car.id;
   }
-
-  Config config_;
 };
 
 TEST_F(BrakingCarTest, APieceIsAPartWhereTheCarWasAndWhereItWouldHaveGone) {
