@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
@@ -45,15 +44,29 @@ bool mayBeOf(const Segment& segment, const MotionProof& proof, bool parked) {
   return isPartOf(proof.size, size) || isPartOf(size, proof.size);
 }
 
+bool isFarther(const MotionProof& a, const MotionProof& b, float distance) {
+  return (a.center - b.center).norm() > static_cast<double>(std::max(kElsewhere, distance));
+}
+
 /// The track's proofs of motion that are farther from here than views of one object differ.
 MotionProofs elsewhere(const MotionProofs& proofs, const MotionProof& here) {
   MotionProofs far;
-  std::copy_if(
-      proofs.begin(), proofs.end(), std::back_inserter(far), [&](const MotionProof& proof) {
-        const float apart = std::max(kElsewhere, 0.5F * std::max(here.size.x(), proof.size.x()));
-        return (proof.center - here.center).norm() > static_cast<double>(apart);
-      });
+  for (const MotionProof& proof : proofs) {
+    if (isFarther(proof, here, 0.5F * std::max(here.size.x(), proof.size.x()))) {
+      far.push_back(proof);
+    }
+  }
   return far;
+}
+
+/// The track's views that have no place in common with this one: of what stands half hidden, a
+/// piece at its end is seen at times.
+MotionProofs viewsBeside(const MotionProofs& views, const MotionProof& here) {
+  MotionProofs beside;
+  for (const MotionProof& view : views) {
+    if (isFarther(view, here, 0.5F * (here.size.x() + view.size.x()))) beside.push_back(view);
+  }
+  return beside;
 }
 
 /// True when the track moved elsewhere between the scan of the instance and another.
@@ -107,7 +120,7 @@ bool standsApart(const KeyFrame& frame,
                  const DynamicConfig& config) {
   const MotionProof here = proofOf(frame, segment);
   const MotionProofs far = elsewhere(proofs, here);
-  MotionProofs anywhere = elsewhere(views, here);
+  MotionProofs anywhere = viewsBeside(views, here);
   anywhere.insert(anywhere.end(), far.begin(), far.end());
   const std::size_t points = frame.seg.segments[segment].points.size();
   double seconds = 0.0;

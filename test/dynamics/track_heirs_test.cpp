@@ -68,6 +68,25 @@ TEST_F(TrackHeirs, WhatStoodWhileTheTrackStoodElsewhereStays) {
   }
 }
 
+// A car that came and stopped is half hidden by one that passes: a piece at its end has its id then.
+TEST_F(TrackHeirs, APieceAtItsEndIsNoOtherPlace) {
+  for (double x : {11.7, 11.5}) {
+    TrackBook tracks(config_);
+    moveThroughTheWindow(tracks);
+    const std::size_t hidden = frames_.size();
+    for (int k = 0; k < 3; ++k) {
+      addStanding(x, 0.1).seg.segments[0].box.size = Eigen::Vector3f(0.5F, 0.5F, 0.5F);
+      tracks.note(*frames_.back());
+      window_.clear();
+    }
+    KeyFrame& whole = addStanding(14.0, 0.1, hidden);
+    tracks.propagate(window_, 0);
+    // Half of both lengths together is 2.35 m.
+    EXPECT_EQ(whole.instances[0].dynamic, x == 11.7) << x;
+    window_.clear();
+  }
+}
+
 // A car drives close by another that is parked, and leaves its id with it. As long as scans from
 // before it came are compared, they found the parked one; its heirs know that later, too.
 TEST_F(TrackHeirs, WhatTheIdWasFoundToStandAsIsInherited) {
