@@ -55,7 +55,7 @@ void measureRoughness(const std::vector<Point>& points,
                       const std::vector<std::int32_t>& cluster,
                       int threads,
                       std::vector<Surface>& surfaces) {
-  const auto roughnessOf = [&](std::size_t i) {
+  const auto roughness_of = [&](std::size_t i) {
     if (cluster[i] == Clusters::kNoise) return kUnknown;
     const std::int32_t left = neighbourOf(i, -1, image, cluster);
     const std::int32_t right = neighbourOf(i, 1, image, cluster);
@@ -64,7 +64,7 @@ void measureRoughness(const std::vector<Point>& points,
                             points[static_cast<std::size_t>(right)]);
   };
   parallelBlocks(points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) surfaces[i].roughness = roughnessOf(i);
+    for (std::size_t i = begin; i < end; ++i) surfaces[i].roughness = roughness_of(i);
   });
 }
 
