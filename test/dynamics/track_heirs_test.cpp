@@ -68,7 +68,8 @@ TEST_F(TrackHeirs, WhatStoodWhileTheTrackStoodElsewhereStays) {
   }
 }
 
-// A car that came and stopped is half hidden by one that passes: a piece at its end has its id then.
+// A car that came and stopped is half hidden by one that passes: a piece at its end has its id
+// then.
 TEST_F(TrackHeirs, APieceAtItsEndIsNoOtherPlace) {
   for (double x : {11.7, 11.5}) {
     TrackBook tracks(config_);
