@@ -71,11 +71,12 @@ std::string datatypeName(std::uint8_t datatype) {
 void addField(sensor_msgs::PointCloud2& cloud, const std::string& name, std::uint8_t datatype) {
   PointField field;
   field.name = name;
-  field.offset = cloud.point_step;
+  const auto size = static_cast<std::uint32_t>(datatypeSize(datatype));
+  field.offset = (cloud.point_step + size - 1) / size * size;
   field.datatype = datatype;
   field.count = 1;
   cloud.fields.push_back(field);
-  cloud.point_step += static_cast<std::uint32_t>(datatypeSize(datatype));
+  cloud.point_step = field.offset + size;
 }
 
 const PointField* findField(const sensor_msgs::PointCloud2& cloud, const std::string& name) {

@@ -82,6 +82,15 @@ TEST(ToScan, BothCloudFormsGiveTheSameScan) {
   expectSamePoints(registered, toScan(toSensorCloud(scan), toOdometry(scan)));
 }
 
+TEST(ToScan, NumbersOfASensorCloudAreAligned) {
+  const Scan scan = test::sampleScan(10, kStamp);
+  const PointCloud2 cloud = toSensorCloud(scan);
+  for (const sensor_msgs::PointField& field : cloud.fields) {
+    EXPECT_EQ(field.offset % datatypeSize(field.datatype), 0U) << field.name;
+  }
+  EXPECT_EQ(cloud.point_step % sizeof(float), 0U);
+}
+
 TEST(ToScan, NanPointsStayInTheirPlace) {
   Scan scan = test::sampleScan(10, kStamp);
   scan.points[4].y = std::numeric_limits<float>::quiet_NaN();

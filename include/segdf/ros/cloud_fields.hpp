@@ -16,7 +16,9 @@ std::size_t datatypeSize(std::uint8_t datatype);
 /// "float32", "uint16", ...; "datatype 42" for one that is not defined.
 std::string datatypeName(std::uint8_t datatype);
 
-/// Appends a field of one number to each (yet to come) point.
+/// Appends a field of one number to each (yet to come) point, where a number of its type may lie:
+/// PointCloud2Iterator writes through a pointer to it.
+/// @param datatype a defined one
 void addField(sensor_msgs::PointCloud2& cloud, const std::string& name, std::uint8_t datatype);
 
 /// The field of that name, or nullptr.
