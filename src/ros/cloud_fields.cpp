@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstring>
+#include <stdexcept>
 
 #include "segdf/io/scan_source.hpp"
 
@@ -72,6 +73,7 @@ void addField(sensor_msgs::PointCloud2& cloud, const std::string& name, std::uin
   PointField field;
   field.name = name;
   const auto size = static_cast<std::uint32_t>(datatypeSize(datatype));
+  if (size == 0) throw std::invalid_argument("field '" + name + "' has " + datatypeName(datatype));
   field.offset = (cloud.point_step + size - 1) / size * size;
   field.datatype = datatype;
   field.count = 1;

@@ -18,7 +18,7 @@ std::string datatypeName(std::uint8_t datatype);
 
 /// Appends a field of one number to each (yet to come) point, where a number of its type may lie:
 /// PointCloud2Iterator writes through a pointer to it.
-/// @param datatype a defined one
+/// @throws std::invalid_argument for a datatype that is not defined
 void addField(sensor_msgs::PointCloud2& cloud, const std::string& name, std::uint8_t datatype);
 
 /// The field of that name, or nullptr.
