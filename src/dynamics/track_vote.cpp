@@ -263,12 +263,12 @@ void TrackBook::note(const KeyFrame& frame) {
     Past& past = past_[instance.id];
     past.seen = now;
     past.moved = provesMotion(frame, s);
-    past.views.push_back(proofOf(frame, s));
+    const MotionProof view = proofOf(frame, s);
+    past.views.push_back(view);
     if (past.views.size() > static_cast<std::size_t>(config_.window)) {
       past.views.erase(past.views.begin());
     }
-    if (!past.moved) continue;
-    addProofs({proofOf(frame, s)}, past.proofs);
+    if (past.moved) addProofs({view}, past.proofs);
   }
   for (auto past = past_.begin(); past != past_.end();) {
     const bool kept = std::abs(now - past->second.seen) <= kLongestGap;

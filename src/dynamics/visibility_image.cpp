@@ -127,16 +127,17 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
     farthest_[bin] = std::max(farthest_[bin], range);
     lowest_level_[bin] = std::min(lowest_level_[bin], levelOf(place, row));
   }
-  for (int row = 0; row < rows_; ++row) {
-    for (int k = 1; k <= pad_; ++k) {
-      for (auto* image : {&nearest_, &farthest_}) {
-        (*image)[index(row, -k)] = (*image)[index(row, columns_ - k)];
-        (*image)[index(row, columns_ - 1 + k)] = (*image)[index(row, k - 1)];
+  const auto wrap = [this](auto& image) {
+    for (int row = 0; row < rows_; ++row) {
+      for (int k = 1; k <= pad_; ++k) {
+        image[index(row, -k)] = image[index(row, columns_ - k)];
+        image[index(row, columns_ - 1 + k)] = image[index(row, k - 1)];
       }
-      lowest_level_[index(row, -k)] = lowest_level_[index(row, columns_ - k)];
-      lowest_level_[index(row, columns_ - 1 + k)] = lowest_level_[index(row, k - 1)];
     }
-  }
+  };
+  wrap(nearest_);
+  wrap(farthest_);
+  wrap(lowest_level_);
 }
 
 void VisibilityImage::prepareLevels() {
