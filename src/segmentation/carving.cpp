@@ -73,17 +73,8 @@ class BorderWalk {
   }
 
  private:
-  /// First point within reach in a direction, kNone when there is none.
-  std::int32_t neighbour(std::uint32_t i, int down, int right) const {
-    std::int32_t found = RangeImage::kNone;
-    for (int step = 1; step <= image_.reach() && found == RangeImage::kNone; ++step) {
-      found = image_.at(image_.rowOf(i) + down * step, image_.columnOf(i) + right * step);
-    }
-    return found;
-  }
-
   void addSide(std::uint32_t i, int right) {
-    const std::int32_t next = neighbour(i, 0, right);
+    const std::int32_t next = image_.neighbourOf(i, 0, right);
     if (pieces_.contains(piece_, next)) return;
     ++border_.sides;
     if (next != RangeImage::kNone &&
@@ -94,7 +85,7 @@ class BorderWalk {
   }
 
   void addTop(std::uint32_t i) {
-    if (height_[i] < kChest || pieces_.contains(piece_, neighbour(i, -1, 0))) return;
+    if (height_[i] < kChest || pieces_.contains(piece_, image_.neighbourOf(i, -1, 0))) return;
     addUpper(goesOnAbove(i));
   }
 

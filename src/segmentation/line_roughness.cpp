@@ -26,12 +26,9 @@ std::int32_t neighbourOf(std::size_t i,
                          int side,
                          const RangeImage& image,
                          const std::vector<std::int32_t>& cluster) {
-  for (int step = 1; step <= image.reach(); ++step) {
-    const std::int32_t j = image.at(image.rowOf(i), image.columnOf(i) + side * step);
-    if (j == RangeImage::kNone) continue;
-    return cluster[static_cast<std::size_t>(j)] == cluster[i] ? j : RangeImage::kNone;
-  }
-  return RangeImage::kNone;
+  const std::int32_t j = image.neighbourOf(i, 0, side);
+  const bool same = j != RangeImage::kNone && cluster[static_cast<std::size_t>(j)] == cluster[i];
+  return same ? j : RangeImage::kNone;
 }
 
 /// Where the ray to p meets the line through a and b, on either side of it, against where p is.
@@ -42,8 +39,7 @@ float distanceAlongRay(const Point& p, const Point& a, const Point& b) {
   const float range = at.norm();
   const float width = cross(at / range, along);
   const float met = cross(from, along) / width;
-  const float near = std::min(from.norm(), (from + along).norm());
-  const float far = std::max(from.norm(), (from + along).norm());
+  const auto [near, far] = std::minmax({from.norm(), (from + along).norm()});
   // Seen along the line, it is met anywhere: no nearer than one end and no farther than the other.
   return std::isfinite(met) ? std::abs(range - std::clamp(met, near, far)) : kUnknown;
 }

@@ -40,6 +40,15 @@ class RangeImage {
   /// Columns or rows to look across for a neighbour: twice the columns between returns in the
   /// fullest row, 2 to 8. A sensor may have fewer columns than the image.
   int reach() const { return reach_; }
+  /// First point within reach of a used one in a direction (one of the two is 0, the other 1 or
+  /// -1), kNone when there is none.
+  std::int32_t neighbourOf(std::size_t point, int down, int right) const {
+    std::int32_t found = kNone;
+    for (int step = 1; step <= reach_ && found == kNone; ++step) {
+      found = at(row_[point] + down * step, column_[point] + right * step);
+    }
+    return found;
+  }
   /// Azimuth of each point as a share of a full turn; anything for unused points.
   const std::vector<double>& turns() const { return turns_; }
   /// Distance of a point from the sensor, metres.
