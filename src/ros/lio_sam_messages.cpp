@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <tf2_eigen/tf2_eigen.h>
 
@@ -35,15 +36,26 @@ void addPositionFields(sensor_msgs::PointCloud2& cloud) {
   for (const char* name : {"x", "y", "z", "intensity"}) addField(cloud, name, PointField::FLOAT32);
 }
 
+/// Calls `write(iterator, item)` for each item, where the field of its point lies. The iterator
+/// takes the address of the first point, which an empty cloud does not have.
+template <class Number, class Item, class Write>
+void fillField(sensor_msgs::PointCloud2& cloud, const std::string& name,
+               const std::vector<Item>& items, const Write& write) {
+  if (items.empty()) return;
+  sensor_msgs::PointCloud2Iterator<Number> out(cloud, name);
+  for (const Item& item : items) {
+    write(out, item);
+    ++out;
+  }
+}
+
 void fillPositions(sensor_msgs::PointCloud2& cloud, const Scan& scan, const Pose& frame_T_sensor) {
-  sensor_msgs::PointCloud2Iterator<float> out(cloud, "x");
-  for (const Point& point : scan.points) {
+  fillField<float>(cloud, "x", scan.points, [&](auto& out, const Point& point) {
     const Eigen::Vector3f position =
         (frame_T_sensor * point.position().cast<double>()).cast<float>();
     for (int axis = 0; axis < 3; ++axis) out[axis] = position[axis];
     out[3] = point.intensity;
-    ++out;
-  }
+  });
 }
 
 bool hasRings(const Scan& scan) {
@@ -52,19 +64,14 @@ bool hasRings(const Scan& scan) {
 }
 
 void fillRings(sensor_msgs::PointCloud2& cloud, const Scan& scan) {
-  sensor_msgs::PointCloud2Iterator<std::uint16_t> out(cloud, "ring");
-  for (const Point& point : scan.points) {
+  fillField<std::uint16_t>(cloud, "ring", scan.points, [](auto& out, const Point& point) {
     *out = static_cast<std::uint16_t>(point.ring);
-    ++out;
-  }
+  });
 }
 
 void fillTimes(sensor_msgs::PointCloud2& cloud, const Scan& scan) {
-  sensor_msgs::PointCloud2Iterator<float> out(cloud, "time");
-  for (const Point& point : scan.points) {
-    *out = point.time;
-    ++out;
-  }
+  fillField<float>(cloud, "time", scan.points,
+                   [](auto& out, const Point& point) { *out = point.time; });
 }
 
 void setSize(sensor_msgs::PointCloud2& cloud, std::size_t points) {
@@ -113,11 +120,8 @@ sensor_msgs::PointCloud2 toTruthCloud(const Scan& scan, const std::vector<std::u
   sensor_msgs::PointCloud2 cloud = emptyCloud(scan, topics::kSensorFrame);
   addField(cloud, "label", PointField::UINT32);
   setSize(cloud, truth.size());
-  sensor_msgs::PointCloud2Iterator<std::uint32_t> out(cloud, "label");
-  for (const std::uint32_t label : truth) {
-    *out = label;
-    ++out;
-  }
+  fillField<std::uint32_t>(cloud, "label", truth,
+                           [](auto& out, std::uint32_t label) { *out = label; });
   return cloud;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each finding of segdf_validate_bag on a bag that has just this one fault: bag, topics, stamps,
 // frames. Poses and points are in bag_check_points_test.cpp.
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -157,6 +158,9 @@ TEST_F(BagCheck, MessagesOfAnotherDefinition) {
   bag_.write(file());
   topic_tools::ShapeShifter old;
   old.morph("0123456789abcdef0123456789abcdef", "nav_msgs/Odometry", "Header header", "");
+  std::vector<std::uint8_t> content(16);  // a header of zeros: its numbers and an empty frame
+  ros::serialization::IStream stream(content.data(), static_cast<std::uint32_t>(content.size()));
+  old.read(stream);
   {
     rosbag::Bag more(file().string(), rosbag::bagmode::Append);
     more.write(topics::kOdometry, ros::Time(StreetBag::kStart), old);
