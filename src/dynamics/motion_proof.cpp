@@ -20,18 +20,13 @@ constexpr double kElsewhereSeconds = 0.25;
 constexpr int kElsewhereScans = 2;
 constexpr float kElsewhere = 2.0F;  // metres: farther than views of one car differ
 constexpr int kFoundBeyond = 2;     // scans
-constexpr double kAway = 1.0;       // metres: farther than noise moves the centre of a view
-
-constexpr float kVehicle = 2.5F;  // metres: what is longer is neither walked nor ridden
-constexpr float kWalker = 1.0F;   // metres: hardly any view of a vehicle is shorter
-constexpr double kWalking = 3.0;  // m/s
+constexpr double kWhole = 0.9;      // share of the points: all but what was hidden
 
 /// True when a proof may be another view of a thing that stands here. It is not longer; height and
 /// width do not count, as what moved at a distance stands beside the sensor now, which sees a part
-/// of its side. And who walks by a parked car, and was one with it for a while, is no view of it.
+/// of its side.
 bool mayHaveStopped(const Eigen::Vector3f& size, const MotionProof& proof) {
-  const bool walks = proof.size.x() < kWalker && proof.speed < kWalking;
-  return proof.size.x() <= greatestView(size).x() && !(size.x() > kVehicle && walks);
+  return proof.size.x() <= greatestView(size).x();
 }
 
 /// True when the proof may be one of the segment's object: a part of it, or, where hardly anybody
@@ -78,13 +73,25 @@ bool isBetween(const MotionProofs& far, std::size_t scan, std::size_t other) {
                      });
 }
 
+/// True when a scan found the segment again from beyond motion elsewhere. Who brakes is where he
+/// will stop with a part of himself, and partial views of him seem to be elsewhere: of what was
+/// found in the midst of the motion all must have been here.
+bool isFoundBeyond(const PairVote& vote,
+                   std::size_t scan,
+                   std::size_t points,
+                   const MotionProofs& proofs,
+                   const MotionProofs& far) {
+  if (!isBetween(far, scan, vote.scan)) return false;
+  const bool amid = vote.scan >= proofs.front().scan && vote.scan <= proofs.back().scan;
+  return !amid || static_cast<double>(vote.hit) >= kWhole * static_cast<double>(points);
+}
+
 }  // namespace
 
 MotionProof proofOf(const KeyFrame& frame, std::size_t segment) {
   const UprightBox& box = frame.seg.segments[segment].box;
   return {frame.index, box.size, frame.scan.pose * box.center.cast<double>(),
-          std::min(frame.evidence->step, kLongestStep),
-          frame.instances[segment].velocity.head<2>().norm()};
+          std::min(frame.evidence->step, kLongestStep)};
 }
 
 double secondsOfMotion(const MotionProofs& proofs, const Segment& segment, bool parked) {
@@ -93,15 +100,6 @@ double secondsOfMotion(const MotionProofs& proofs, const Segment& segment, bool 
     if (mayBeOf(segment, proof, parked)) seconds += proof.seconds;
   }
   return seconds;
-}
-
-bool wentAway(const MotionProofs& proofs, const MotionProof& here) {
-  return std::any_of(proofs.begin(), proofs.end(), [&](const MotionProof& proof) {
-    const float room = isSameSize(proof.size, here.size)
-                           ? 0.0F
-                           : std::max(0.0F, here.size.x() - proof.size.y()) / 2.0F;
-    return (proof.center - here.center).norm() > kAway + static_cast<double>(room);
-  });
 }
 
 bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here) {
@@ -113,8 +111,17 @@ bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here) {
   return seconds >= kStrongSeconds;
 }
 
+MotionProofs proofsOn(Side side, std::size_t scan, const MotionProofs& proofs) {
+  const auto middle =
+      std::partition_point(proofs.begin(), proofs.end(),
+                           [scan](const MotionProof& proof) { return proof.scan <= scan; });
+  return side == Side::kBefore ? MotionProofs(proofs.begin(), middle)
+                               : MotionProofs(middle, proofs.end());
+}
+
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
+                 Side side,
                  const MotionProofs& proofs,
                  const MotionProofs& views,
                  const DynamicConfig& config) {
@@ -128,6 +135,7 @@ bool standsApart(const KeyFrame& frame,
   int beyond = 0;
   bool seen_through = false;
   for (const PairVote& vote : frame.evidence->votes[segment]) {
+    if ((vote.scan < frame.index) != (side == Side::kBefore)) continue;
     seen_through = seen_through || isSeenThrough(vote, config);
     if (!isFoundAgain(vote, points, config)) continue;
     const auto view = std::find_if(anywhere.begin(), anywhere.end(),
@@ -136,7 +144,7 @@ bool standsApart(const KeyFrame& frame,
       seconds += view->seconds;
       ++scans;
     }
-    beyond += isBetween(far, frame.index, vote.scan) ? 1 : 0;
+    beyond += isFoundBeyond(vote, frame.index, points, proofs, far) ? 1 : 0;
   }
   return (scans >= kElsewhereScans && seconds >= kElsewhereSeconds) ||
          (beyond >= kFoundBeyond && !seen_through);

@@ -24,30 +24,39 @@ constexpr int kOftenApart = 3;       // instances of an id that stood apart from
 constexpr float kHighestCar = 2.2F;  // metres
 constexpr double kHeirGate = 2.5;    // metres from one scan to the next
 
-/// True when a part of the frame's instance was found to stand. Parts come after all segments.
-bool hasKeptPart(const KeyFrame& frame, std::uint32_t id) {
-  const auto parts =
-      frame.instances.begin() + static_cast<std::ptrdiff_t>(frame.evidence->votes.size());
-  return std::any_of(parts, frame.instances.end(), [id](const Instance& part) {
-    return part.parent == id && part.reason == Reason::kKept;
-  });
+/// True when the better part of the frame's instance was found to stand. Parts come after all
+/// segments.
+bool hasKeptMost(const KeyFrame& frame, std::size_t segment) {
+  const std::uint32_t id = frame.instances[segment].id;
+  const std::size_t rest = frame.seg.segments[segment].points.size();
+  for (std::size_t p = frame.evidence->votes.size(); p < frame.instances.size(); ++p) {
+    const Instance& part = frame.instances[p];
+    const bool kept = part.parent == id && part.reason == Reason::kKept;
+    if (kept && frame.seg.segments[p].points.size() >= rest) return true;
+  }
+  return false;
 }
 
-/// True when the votes made the instance dynamic, as one object. When a part of it was found to
-/// stand its id may pass on to that: a parked car, next to somebody who went with it for a while.
-/// Of what is higher than cars, parts stood for a while themselves.
+/// True when the votes made the instance dynamic, as one object. When most of it was found to stand
+/// its id may pass on to that: a parked car, next to somebody who went with it for a while. Of what
+/// is higher than cars, parts stood for a while themselves.
 bool provesMotion(const KeyFrame& frame, std::size_t segment) {
   const Instance& instance = frame.instances[segment];
   const bool car_sized = frame.seg.segments[segment].box.size.z() < kHighestCar;
   return instance.dynamic && instance.reason == Reason::kVotes &&
-         !(car_sized && hasKeptPart(frame, instance.id));
+         !(car_sized && hasKeptMost(frame, segment));
 }
 
-/// Merges proofs, and forgets those in the middle when there are too many.
+/// Merges proofs, one for each scan, and forgets those in the middle when there are too many.
 void addProofs(const MotionProofs& more, MotionProofs& proofs) {
   MotionProofs all;
   std::merge(proofs.begin(), proofs.end(), more.begin(), more.end(), std::back_inserter(all),
              [](const MotionProof& a, const MotionProof& b) { return a.scan < b.scan; });
+  // What an id has from two that inherited the same counts once.
+  all.erase(
+      std::unique(all.begin(), all.end(),
+                  [](const MotionProof& a, const MotionProof& b) { return a.scan == b.scan; }),
+      all.end());
   if (all.size() > kKeptProofs) {
     all.erase(all.begin() + kKeptProofs / 2, all.end() - kKeptProofs / 2);
   }
@@ -116,17 +125,31 @@ bool TrackBook::moves(const KeyFrame& frame,
   if (!parked && std::count_if(present.begin(), present.end(), alike) >= kProofs) return true;
   if (parked && config_.semi_static != SemiStatic::kRemove) return false;
   forgetOthers(id, proofs);
-  if (secondsOfMotion(proofs, segment, parked) < kStrongSeconds ||
-      !wentAway(proofs, proofOf(frame, s))) {
-    return false;
+  if (secondsOfMotion(proofs, segment, parked) < kStrongSeconds) return false;
+  const MotionProofs own = ownProofs(frame, s, proofs, parked, window);
+  return secondsOfMotion(own, segment, parked) >= kStrongSeconds &&
+         !(parked && staysBehind(frame, s, own, config_));
+}
+
+MotionProofs TrackBook::ownProofs(const KeyFrame& frame,
+                                  std::size_t s,
+                                  const MotionProofs& proofs,
+                                  bool parked,
+                                  const Window& window) {
+  Past& past = past_.at(frame.instances[s].id);
+  const MotionProofs views = viewsOf(frame.instances[s].id, window);
+  MotionProofs own;
+  for (const Side side : {Side::kBefore, Side::kAfter}) {
+    const MotionProofs some = proofsOn(side, frame.index, proofs);
+    if (some.empty()) continue;
+    if (!standsApart(frame, s, side, some, views, config_)) {
+      own.insert(own.end(), some.begin(), some.end());
+    } else if (parked && side == Side::kBefore) {
+      ++past.apart;
+      past.last_apart = frame.index;
+    }
   }
-  const bool apart = standsApart(frame, s, proofs, viewsOf(id, window), config_);
-  if (apart && parked) {
-    Past& here = past_.at(id);
-    ++here.apart;
-    here.last_apart = frame.index;
-  }
-  return !apart && !(parked && staysBehind(frame, s, proofs, config_));
+  return own;
 }
 
 MotionProofs TrackBook::viewsOf(std::uint32_t id, const Window& window) const {
@@ -172,6 +195,7 @@ void TrackBook::inherit(const KeyFrame& frame) {
       past->second.moved = false;
     }
     past->second.born = frame.index;
+    past->second.born_at = frame.evidence->time;
   }
   for (auto& [id, past] : past_) {
     if (!past.moved || here.count(id) != 0) continue;
@@ -187,7 +211,9 @@ std::uint32_t TrackBook::heirOf(const Past& ended, const KeyFrame& frame) {
   double least = kHeirGate;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     const std::uint32_t id = frame.instances[s].id;
-    if (past_.at(id).born <= ended.proofs.front().scan || !isDynamic(frame, s)) continue;
+    const Past& other = past_.at(id);
+    const bool beside = other.born_at < ended.seen - kLongestGap;
+    if (beside || other.born <= ended.proofs.front().scan || !isDynamic(frame, s)) continue;
     const Eigen::Vector3d way = proofOf(frame, s).center - ended.proofs.back().center;
     const double distance = way.head<2>().norm();
     if (distance >= least) continue;

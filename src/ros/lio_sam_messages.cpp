@@ -39,8 +39,10 @@ void addPositionFields(sensor_msgs::PointCloud2& cloud) {
 /// Calls `write(iterator, item)` for each item, where the field of its point lies. The iterator
 /// takes the address of the first point, which an empty cloud does not have.
 template <class Number, class Item, class Write>
-void fillField(sensor_msgs::PointCloud2& cloud, const std::string& name,
-               const std::vector<Item>& items, const Write& write) {
+void fillField(sensor_msgs::PointCloud2& cloud,
+               const std::string& name,
+               const std::vector<Item>& items,
+               const Write& write) {
   if (items.empty()) return;
   sensor_msgs::PointCloud2Iterator<Number> out(cloud, name);
   for (const Item& item : items) {

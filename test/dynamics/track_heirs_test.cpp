@@ -7,6 +7,7 @@
 namespace segdf {
 namespace {
 
+using test::kPoints;
 using test::TrackVote;
 
 class TrackHeirs : public TrackVote {};
@@ -113,22 +114,26 @@ TEST_F(TrackHeirs, WhatTheIdWasFoundToStandAsIsInherited) {
 }
 
 // A cyclist, and the parked car that was one cluster with him and has the id now.
-TEST_F(TrackHeirs, WhatAStandingPartWasTakenOutOfProvesNothingUnlessItIsHigh) {
+TEST_F(TrackHeirs, WhatMostlyStoodProvesNothingUnlessItIsHigh) {
   for (float height : {1.5F, 3.0F}) {
-    TrackBook tracks(config_);
-    for (int k = 0; k < 8; ++k) {
-      KeyFrame& frame = addMoving(1.0 * k, 0.1, {4.2F, 1.8F, height});
-      makeDynamic(frame);
-      frame.instances.resize(2);
-      frame.instances[1].parent = 7;
-      frame.instances[1].reason = Reason::kKept;
-      tracks.note(frame);
+    for (std::size_t stood : {kPoints, kPoints - 1}) {
+      TrackBook tracks(config_);
+      for (int k = 0; k < 8; ++k) {
+        KeyFrame& frame = addMoving(1.0 * k, 0.1, {4.2F, 1.8F, height});
+        makeDynamic(frame);
+        frame.seg.segments.resize(2);
+        frame.seg.segments[1].points.resize(stood);
+        frame.instances.resize(2);
+        frame.instances[1].parent = 7;
+        frame.instances[1].reason = Reason::kKept;
+        tracks.note(frame);
+        window_.clear();
+      }
+      addStanding(8.0, 0.1);
+      tracks.propagate(window_, 0);
+      EXPECT_EQ(frames_.back()->instances[0].dynamic, height > 2.2F || stood < kPoints) << stood;
       window_.clear();
     }
-    addStanding(8.0, 0.1);
-    tracks.propagate(window_, 0);
-    EXPECT_EQ(frames_.back()->instances[0].dynamic, height > 2.2F);
-    window_.clear();
   }
 }
 
@@ -171,19 +176,38 @@ TEST_F(ChangingIds, NotFartherThanOneStep) { EXPECT_FALSE(stopsAfter(3.0, 13)); 
 
 TEST_F(ChangingIds, WhatStandsIsNobodysHeir) { EXPECT_FALSE(stopsAfter(2.0, 14)); }
 
-TEST_F(ChangingIds, NorIsWhatWasThereBefore) {
-  for (bool before : {false, true}) {
+TEST_F(ChangingIds, NorIsWhatWasThereForMoreThanHalfASecond) {
+  for (int since : {1, 3, 8}) {
     TrackBook tracks(config_);
     for (int k = 0; k < 8; ++k) {
       KeyFrame& frame = addMoving(1.0 * k, 0.1);
-      if (before) addBeside(frame, 9.0, 20);
+      if (k >= since) addBeside(frame, 9.0, 20);
       decide(tracks);
     }
     addMoving(9.0, 0.02).instances[0].id = 20;
     decide(tracks);
     addStanding(9.0, 0.1).instances[0].id = 20;
     decide(tracks);
-    EXPECT_EQ(frames_.back()->instances[0].dynamic, !before);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, since > 1) << since;
+  }
+}
+
+TEST_F(ChangingIds, WhatTwoHaveFromOneCountsOnce) {
+  for (int moved : {4, 6}) {
+    TrackBook tracks(config_);
+    for (int k = 0; k < moved; ++k) {
+      addMoving(1.0 * k, 0.1);
+      decide(tracks);
+    }
+    for (std::uint32_t id : {8U, 9U}) {
+      Instance& child = addMoving(1.0 * moved, 0.1).instances[0];
+      child.id = id;
+      child.parent = 7;
+      decide(tracks);
+    }
+    addStanding(1.0 * moved, 0.1).instances[0].id = 9;
+    decide(tracks);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, moved == 6) << "0.6 s and 0.8 s of motion";
   }
 }
 

@@ -34,74 +34,10 @@ TEST_F(TrackVote, TwoAreNeverEnoughHoweverFarApart) {
   EXPECT_FALSE(goes());
 }
 
-TEST_F(TrackVote, WhatSeemsToMoveWhereItStandsIsAViewOfIt) {
-  const Eigen::Vector3f bumper(1.8F, 0.4F, 0.5F);
-  for (int k = 0; k < 20; ++k) addMoving(10.3, 0.1, bumper);
-  addStanding(8.0, 0.1);
-  EXPECT_FALSE(goes());
-  addMoving(11.5, 0.1, bumper);  // 1.2 m beyond where the bumper of this one can be
-  addStanding(8.0, 0.1);
-  EXPECT_TRUE(goes());
-}
-
 TEST_F(TrackVote, WhatCreptOnAsAWholeNeedsNoCarLengthForIt) {
   for (int k = 0; k < 10; ++k) addMoving(6.8, 0.1);
   addStanding(8.0, 0.1);
   EXPECT_TRUE(goes());
-}
-
-TEST_F(TrackVote, WhatWasFoundHereWhileTheTrackMovedElsewhereIsAnotherObject) {
-  for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
-  addStanding(8.0, 0.1, 2);
-  EXPECT_FALSE(goes());
-}
-
-// Of a car that brakes the front already is, two scans a second, where the car will stand.
-TEST_F(TrackVote, OfKeyFramesFarApartTwoSuchScansSay) {
-  for (int k = 0; k < 3; ++k) addMoving(3.0 * k, 0.3);
-  addStanding(9.0, 0.3, 2);
-  EXPECT_TRUE(goes());
-  frames_.back()->instances[0].dynamic = false;
-  frames_.back()->evidence->votes[0].front().scan = 1;
-  frames_.back()->evidence->votes[0].back().scan = 2;
-  EXPECT_FALSE(goes());
-}
-
-TEST_F(TrackVote, AViewOfABusIsAsFarFromItsCentreAsTheBusIsLong) {
-  const Eigen::Vector3f bus(11.5F, 2.5F, 3.0F);
-  for (int k = 0; k < 8; ++k) addMoving(-30.0 + k, 0.1);
-  for (int k = 0; k < 3; ++k) addMoving(5.0, 0.1, bus);
-  addStanding(0.0, 0.1, 8);
-  EXPECT_TRUE(goes()) << "its rear was found again where it stood all the time";
-}
-
-// A cyclist passes a parked car closely and takes its id along.
-TEST_F(TrackVote, WhatIsFoundAgainAfterTheTrackHasMovedOnIsAnotherObject) {
-  KeyFrame& parked = addStanding(0.0, 0.1, 9);  // the first of its three is among the proofs
-  for (int k = 0; k < 9; ++k) addMoving(3.0 + k, 0.1);
-  TrackBook(config_).propagate(window_, 0);
-  EXPECT_FALSE(parked.instances[0].dynamic);
-}
-
-TEST_F(TrackVote, AfterThreeTimesTheTracksMotionCountsNoMore) {
-  for (int others : {2, 3}) {
-    for (int k = 0; k < 8; ++k) addMoving(1.0 * k, 0.1);
-    const std::size_t moving = frames_.size() - 6;
-    for (int k = 0; k < others; ++k) addStanding(8.0, 0.1, moving);
-    addStanding(8.0, 0.1, 1000);  // nobody who looked knows that it is another
-    TrackBook tracks(config_);
-    for (std::size_t k = 8; k < window_.size(); ++k) tracks.propagate(window_, k);
-    EXPECT_EQ(frames_.back()->instances[0].dynamic, others == 2) << others;
-    window_.clear();
-  }
-}
-
-TEST_F(TrackVote, NotIfOneSawThroughItOnceTheTrackWasGone) {
-  KeyFrame& leaving = addStanding(0.0, 0.1, 9);
-  leaving.evidence->votes[0].push_back({8, 0.8F, kPoints, 0, true});
-  for (int k = 0; k < 9; ++k) addMoving(3.0 + k, 0.1);
-  TrackBook(config_).propagate(window_, 0);
-  EXPECT_TRUE(leaving.instances[0].dynamic) << "another car stands in its place now";
 }
 
 // A car passes one that is parked, hides it until the drive ends, and takes its id along.
@@ -148,13 +84,6 @@ TEST_F(TrackVote, APartOfWhatMovedGoesWhenHardlyAnyFoundItAgain) {
   EXPECT_FALSE(goes()) << "a bollard that the car has driven by";
 }
 
-TEST_F(TrackVote, APartOfWhatMovedStaysWhereThatNeverWent) {
-  const Eigen::Vector3f rear(0.4F, 0.3F, 0.6F);
-  for (int k = 0; k < 20; ++k) addMoving(8.0, 0.1);
-  add(8.9, rear, 0.1);
-  EXPECT_FALSE(goes());
-}
-
 TEST_F(TrackVote, OfWhatStandsBesideTheSensorASideIsSeen) {
   const Eigen::Vector3f lorry(8.0F, 2.5F, 3.4F);
   for (int k = 0; k < 8; ++k) addMoving(3.0 * k, 0.1, lorry);
@@ -162,21 +91,6 @@ TEST_F(TrackVote, OfWhatStandsBesideTheSensorASideIsSeen) {
   EXPECT_TRUE(goes());
   addStanding(24.0, 0.1);
   EXPECT_FALSE(goes()) << "a parked car that the lorry has driven by";
-}
-
-TEST_F(TrackVote, WhoWalksByAParkedCarDoesNotTakeItAlong) {
-  const Eigen::Vector3f narrow(0.7F, 0.5F, 1.7F);
-  for (int k = 0; k < 20; ++k) {
-    addMoving(0.1 * k, 0.1, narrow);
-    frames_.back()->instances[0].velocity.x() = 1.4;
-  }
-  addStanding(6.0, 0.1);
-  EXPECT_FALSE(goes());
-  addStanding(6.0, 0.1).seg.segments[0].box.size = narrow;
-  EXPECT_TRUE(goes()) << "who walked, and stopped";
-  for (const auto& frame : frames_) frame->instances[0].velocity.x() = 8.0;
-  addStanding(6.0, 0.1);
-  EXPECT_TRUE(goes()) << "nobody walks so fast: of the car only an edge was seen";
 }
 
 TEST_F(TrackVote, WhatMovedElsewhereAtItsSizeIsWhole) {

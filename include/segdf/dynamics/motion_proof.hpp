@@ -18,7 +18,6 @@ struct MotionProof {
   Eigen::Vector3f size = Eigen::Vector3f::Zero();    ///< of its box, metres
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of its box in the map frame, metres
   double seconds = 0.0;                              ///< of motion that it stands for
-  double speed = 0.0;                                ///< of its centre, seen from above, m/s
 };
 
 /// In the order of their scans.
@@ -36,20 +35,25 @@ MotionProof proofOf(const KeyFrame& frame, std::size_t segment);
 /// part of it. @param parked the segment was itself found again over and over
 double secondsOfMotion(const MotionProofs& proofs, const Segment& segment, bool parked);
 
-/// True when something moved where no view of the instance can have its centre. Parts of what
-/// stands may seem seen through from afar, time and again from the place where the ego waits; what
-/// has the size of the whole is no part.
-bool wentAway(const MotionProofs& proofs, const MotionProof& here);
-
 /// True when what has the size of the instance was proven to move, for kStrongSeconds, elsewhere.
 bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here);
 
-/// True when scans in which the track was elsewhere found the segment here, two or more and for
-/// long enough; or when several did on the other side of scans in which it moved elsewhere, and
-/// none saw through it: nothing leaves and comes back to the same place unseen.
+/// A side of a scan, in time.
+enum class Side { kBefore, kAfter };
+
+/// The proofs of scans on that side of another.
+MotionProofs proofsOn(Side side, std::size_t scan, const MotionProofs& proofs);
+
+/// True when what moved on that side of the segment's scan is another object: two or more scans of
+/// that side in which the track was elsewhere found the segment here, for long enough; or several
+/// did on the other side of scans in which it moved elsewhere, and none saw through it: nothing
+/// leaves and comes back to the same place unseen. Scans of the other side tell nothing: who came
+/// and stopped here is seen to stand when the id passes on to somebody else.
+/// @param proofs of the track, on that side
 /// @param views of the track, moving or not, by all scans that may have voted
 bool standsApart(const KeyFrame& frame,
                  std::size_t segment,
+                 Side side,
                  const MotionProofs& proofs,
                  const MotionProofs& views,
                  const DynamicConfig& config);

@@ -14,17 +14,17 @@ namespace segdf {
 
 /// Tracks (method.md 6.6): the instances of one id. What the votes leave static becomes dynamic
 /// when its track was proven to move: by at least two members of its size in the window, or for
-/// 0.75 s, in the past too, by members of which it may be a part, or which may be parts of it, and
-/// away from here. The motion of what it was a part of counts, too, and that of what moved and
-/// ended where it began to move. What was itself found again over and over goes only when
-/// df.semi_static says that what moved at any time goes (a car that stops at lights), and its track
-/// moved for 0.75 s so, by members that are no longer than it is, nor a walker's, and either moved
-/// before, or some scan saw through the segment since: what leaves opens its place. Nothing goes
-/// where it was found again by frames in which the track was elsewhere, or on the other side of
-/// these in time: then another object stands here, and the id has passed on to it. What the votes
-/// make dynamic is restored when hardly any of many members of its track are (compensation). What
-/// moved elsewhere at the same size is marked as whole. Memory: tracks that have left the window,
-/// and that nothing can continue any more, are forgotten.
+/// 0.75 s, in the past too, by members of which it may be a part, or which may be parts of it. The
+/// motion of what it was a part of counts, too, and that of what moved and ended where it began to
+/// move. What was itself found again over and over goes only when df.semi_static says that what
+/// moved at any time goes (a car that stops at lights), and its track moved for 0.75 s so, by
+/// members that are no longer than it is, and either moved before, or some scan saw through the
+/// segment since: what leaves opens its place. Motion before the segment's scan, or after it, does
+/// not count where scans of that side found it here while the track was elsewhere, or from beyond
+/// motion elsewhere: then another object stands here, and the id has passed on to it. What the
+/// votes make dynamic is restored when hardly any of many members of its track are (compensation).
+/// What moved elsewhere at the same size is marked as whole. Memory: tracks that have left the
+/// window, and that nothing can continue any more, are forgotten.
 class TrackBook {
  public:
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
@@ -55,9 +55,10 @@ class TrackBook {
     MotionProofs proofs;         ///< its own and inherited ones
     MotionProofs views;          ///< the same, moving or not, of as many scans as a window has
     std::size_t born = 0;        ///< scan that had it first
+    double born_at = 0.0;        ///< its time, seconds
     double seen = 0.0;           ///< when it was last, seconds
     bool moved = false;          ///< then, by the votes, and has no heir yet
-    int apart = 0;               ///< instances that stood apart from what moved
+    int apart = 0;               ///< instances that stood apart from what moved before
     std::size_t last_apart = 0;  ///< scan of the last of these
   };
 
@@ -65,7 +66,8 @@ class TrackBook {
   /// heir.
   void inherit(const KeyFrame& frame);
   /// The id in the frame that goes on with one that moved and has ended, 0 = none: the nearest
-  /// within 2.5 m, as seen from above, of those that the votes make dynamic and that came after it.
+  /// within 2.5 m, as seen from above, of those that the votes make dynamic, that came after it and
+  /// were not there beside it for long.
   std::uint32_t heirOf(const Past& ended, const KeyFrame& frame);
   /// Of the ids that a frame has.
   std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
@@ -81,6 +83,12 @@ class TrackBook {
              MotionProofs proofs,
              const MotionProofs& present,
              const Window& window);
+  /// Without those of another object, from which the segment stands apart.
+  MotionProofs ownProofs(const KeyFrame& frame,
+                         std::size_t segment,
+                         const MotionProofs& proofs,
+                         bool parked,
+                         const Window& window);
 
   DynamicConfig config_;
   std::map<std::uint32_t, Past> past_;  ///< of what may yet be seen again
