@@ -22,29 +22,32 @@ constexpr std::size_t kManyMembers = 8;
 constexpr double kFewDynamic = 0.1;  // share of the members
 constexpr int kOftenApart = 3;       // instances of an id that stood apart from what moved
 constexpr float kHighestCar = 2.2F;  // metres
+constexpr double kKeptShare = 0.2;   // of the points
 constexpr double kHeirGate = 2.5;    // metres from one scan to the next
 
-/// True when the better part of the frame's instance was found to stand. Parts come after all
+/// True when more than a scrap of the frame's instance was found to stand. Parts come after all
 /// segments.
-bool hasKeptMost(const KeyFrame& frame, std::size_t segment) {
+bool hasKeptPart(const KeyFrame& frame, std::size_t segment) {
   const std::uint32_t id = frame.instances[segment].id;
-  const std::size_t rest = frame.seg.segments[segment].points.size();
+  const auto rest = static_cast<double>(frame.seg.segments[segment].points.size());
   for (std::size_t p = frame.evidence->votes.size(); p < frame.instances.size(); ++p) {
     const Instance& part = frame.instances[p];
-    const bool kept = part.parent == id && part.reason == Reason::kKept;
-    if (kept && frame.seg.segments[p].points.size() >= rest) return true;
+    if (part.parent != id || part.reason != Reason::kKept) continue;
+    const auto points = static_cast<double>(frame.seg.segments[p].points.size());
+    if (points >= kKeptShare * (points + rest)) return true;
   }
   return false;
 }
 
-/// True when the votes made the instance dynamic, as one object. When most of it was found to stand
-/// its id may pass on to that: a parked car, next to somebody who went with it for a while. Of what
-/// is higher than cars, parts stood for a while themselves.
+/// True when the votes made the instance dynamic, as one object. When a part of it was found to
+/// stand its id may pass on to that: a parked car, next to somebody who went with it for a while.
+/// Of a car that creeps an edge seems to stand. Of what is higher than cars, parts stood for a
+/// while themselves.
 bool provesMotion(const KeyFrame& frame, std::size_t segment) {
   const Instance& instance = frame.instances[segment];
   const bool car_sized = frame.seg.segments[segment].box.size.z() < kHighestCar;
   return instance.dynamic && instance.reason == Reason::kVotes &&
-         !(car_sized && hasKeptMost(frame, segment));
+         !(car_sized && hasKeptPart(frame, segment));
 }
 
 /// Merges proofs, one for each scan, and forgets those in the middle when there are too many.
