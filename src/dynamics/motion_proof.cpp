@@ -112,9 +112,8 @@ bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here) {
 }
 
 MotionProofs proofsOn(Side side, std::size_t scan, const MotionProofs& proofs) {
-  const auto middle =
-      std::partition_point(proofs.begin(), proofs.end(),
-                           [scan](const MotionProof& proof) { return proof.scan <= scan; });
+  const auto middle = std::partition_point(
+      proofs.begin(), proofs.end(), [scan](const MotionProof& proof) { return proof.scan < scan; });
   return side == Side::kBefore ? MotionProofs(proofs.begin(), middle)
                                : MotionProofs(middle, proofs.end());
 }

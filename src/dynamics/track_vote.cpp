@@ -177,11 +177,7 @@ void TrackBook::forgetOthers(std::uint32_t id, MotionProofs& proofs) const {
 MotionProofs TrackBook::pastOf(std::uint32_t id, const KeyFrame& first) const {
   const auto past = past_.find(id);
   if (past == past_.end()) return {};
-  const MotionProofs& proofs = past->second.proofs;
-  return {proofs.begin(), std::lower_bound(proofs.begin(), proofs.end(), first.index,
-                                           [](const MotionProof& proof, std::size_t scan) {
-                                             return proof.scan < scan;
-                                           })};
+  return proofsOn(Side::kBefore, first.index, past->second.proofs);
 }
 
 void TrackBook::inherit(const KeyFrame& frame) {

@@ -41,7 +41,8 @@ bool movedAsAWhole(const MotionProofs& proofs, const MotionProof& here);
 /// A side of a scan, in time.
 enum class Side { kBefore, kAfter };
 
-/// The proofs of scans on that side of another.
+/// The proofs of scans before another, or the rest: of what does not move in a scan there is none
+/// of that scan itself.
 MotionProofs proofsOn(Side side, std::size_t scan, const MotionProofs& proofs);
 
 /// True when what moved on that side of the segment's scan is another object: two or more scans of
