@@ -184,6 +184,7 @@ void VisibilityImage::look(const Eigen::Ref<const Eigen::MatrixX3f>& places,
   for (Eigen::Index first = 0; first < places.rows(); first += kBlock) {
     const Eigen::Index count = std::min<Eigen::Index>(kBlock, places.rows() - first);
     const Block block = project(places.middleRows(first, count), image_T_places);
+    for (Eigen::Index k = 0; k < count; ++k) fetch(block, static_cast<std::size_t>(k));
     for (Eigen::Index k = 0; k < count; ++k) {
       states[first + k] = stateOf(block, static_cast<std::size_t>(k));
     }
@@ -213,16 +214,34 @@ VisibilityImage::Block VisibilityImage::project(const Eigen::Ref<const Eigen::Ma
   return block;
 }
 
-VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) const {
-  const float range = block.range[k];
-  if (!(range >= kNearestPlace && range <= kFarthestPlace)) return VolumetricState::kUnknown;
-  if (!(block.row[k] >= 0.0F && block.row[k] < static_cast<float>(rows_))) {
-    return VolumetricState::kUnknown;
-  }
+bool VisibilityImage::isInside(const Block& block, std::size_t k) const {
+  return block.range[k] >= kNearestPlace && block.range[k] <= kFarthestPlace &&
+         block.row[k] >= 0.0F && block.row[k] < static_cast<float>(rows_);
+}
+
+VisibilityImage::Bin VisibilityImage::binOf(const Block& block, std::size_t k) const {
   const int row = static_cast<int>(block.row[k]);
   const float margin = block.margin[k] * column_step_ / row_step_;  // rows
-  const Bin bin{row, std::min(static_cast<int>(block.column[k]), columns_ - 1),
-                levelOf(block.row[k] + margin, row)};
+  return {row, std::min(static_cast<int>(block.column[k]), columns_ - 1),
+          levelOf(block.row[k] + margin, row)};
+}
+
+void VisibilityImage::fetch(const Block& block, std::size_t k) const {
+  if (!isInside(block, k)) return;
+  const std::size_t own = index(static_cast<int>(block.row[k]), static_cast<int>(block.column[k]));
+  __builtin_prefetch(nearest_.data() + own);
+  __builtin_prefetch(farthest_.data() + own);
+  const int columns = columnsOf(block, k);
+  if (columns > kLevels) return;
+  const Level& level = levels_[static_cast<std::size_t>(columns - 1)];
+  __builtin_prefetch(level.nearest.data() + own);
+  __builtin_prefetch(level.farthest.data() + own);
+}
+
+VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) const {
+  if (!isInside(block, k)) return VolumetricState::kUnknown;
+  const Bin bin = binOf(block, k);
+  const float range = block.range[k];
   const float tolerance = std::max(tau_, tau_ratio_ * range);
   const int near = centimetres(range - tolerance);
   const int far = centimetres(range + tolerance);
@@ -230,7 +249,7 @@ VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) cons
   const std::size_t own = index(bin.row, bin.column);
   const auto within = [near, far](Centimetres value) { return value >= near && value <= far; };
   if (within(nearest_[own]) || within(farthest_[own])) return VolumetricState::kHit;
-  const int columns = std::max(1, static_cast<int>(std::ceil(block.margin[k])));
+  const int columns = columnsOf(block, k);
   if (columns > kLevels) return search(bin, windowOf(columns), near, far);
   // Most answers are found here: nothing is around, or all of it begins behind the place, or all of
   // it ends before.

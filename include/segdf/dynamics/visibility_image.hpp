@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -78,6 +80,15 @@ class VisibilityImage {
 
   Block project(const Eigen::Ref<const Eigen::MatrixX3f>& places,
                 const Eigen::Isometry3f& image_T_places) const;
+  /// True for places that the scan may say something of; NaN is outside.
+  bool isInside(const Block& block, std::size_t k) const;
+  Bin binOf(const Block& block, std::size_t k) const;
+  /// Half the width of its margin.
+  static int columnsOf(const Block& block, std::size_t k) {
+    return std::max(1, static_cast<int>(std::ceil(block.margin[k])));
+  }
+  /// Asks the memory for what stateOf will read: the images do not fit the processor's cache.
+  void fetch(const Block& block, std::size_t k) const;
   VolumetricState stateOf(const Block& block, std::size_t k) const;
   Window windowOf(int columns) const;
   void fill(const std::vector<Point>& points, const std::vector<PointRole>& roles);
