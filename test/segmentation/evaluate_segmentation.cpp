@@ -4,12 +4,14 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/classification/features.hpp"
 #include "segdf/core/parallel.hpp"
+#include "segdf/core/semantic_kitti.hpp"
 #include "segdf/io/config_yaml.hpp"
 #include "segdf/io/kitti_source.hpp"
 #include "segdf/io/label_file.hpp"
@@ -29,6 +31,7 @@ struct Options {
   std::vector<std::string> drives;
   std::string sensor;
   std::string config;
+  std::set<std::uint16_t> ignored;  ///< instances
   bool brief = false;
 };
 
@@ -72,7 +75,9 @@ std::vector<Method> methods(bool brief) {
   return all;
 }
 
-std::vector<Labelled> load(const std::filesystem::path& drive) {
+/// @param ignored instances whose points are taken for unlabelled
+std::vector<Labelled> load(const std::filesystem::path& drive,
+                           const std::set<std::uint16_t>& ignored) {
   KittiSource source(drive);
   std::vector<Labelled> scans;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -81,6 +86,11 @@ std::vector<Labelled> load(const std::filesystem::path& drive) {
     if (truth.size() != scan.points.size()) {
       throw IoError("label file " + source.nameOf(i) + ".label of " + drive.string() +
                     " does not fit its scan");
+    }
+    for (std::uint32_t& label : truth) {
+      if (ignored.count(semantic_kitti::instanceOf(label)) != 0) {
+        label = semantic_kitti::kUnlabelled;
+      }
     }
     scans.push_back({std::move(scan), std::move(truth)});
   }
@@ -179,7 +189,7 @@ int run(const Options& options) {
   std::cout << std::fixed << std::setprecision(2);
   Scores pooled;
   for (const std::string& drive : options.drives) {
-    const std::vector<Labelled> scans = load(drive);
+    const std::vector<Labelled> scans = load(drive, options.ignored);
     const std::string sensor =
         options.sensor.empty() ? recogniseSensor(scans.front().scan).name : options.sensor;
     Config config = sensorConfig(sensor);
@@ -205,6 +215,9 @@ int main(int argc, char** argv) {
   app.add_option("--sensor", options.sensor,
                  "hdl64, hdl32, vlp16 or os1_64; recognised if not given");
   app.add_option("--config", options.config, "YAML with parameters that differ from the sensor's");
+  app.add_option("--ignore", options.ignored,
+                 "instances to count as unlabelled, IDS with commas between")
+      ->delimiter(',');
   app.add_flag("--brief", options.brief, "no other methods beside");
   return apps::runApp(app, argc, argv, [&options] { return run(options); });
 }
