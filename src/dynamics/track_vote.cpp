@@ -192,6 +192,7 @@ void TrackBook::inherit(const KeyFrame& frame) {
       past->second = parent->second;
       past->second.proofs = pastOf(instance.parent, frame);
       past->second.moved = false;
+      past->second.stood = false;
     }
     past->second.born = frame.index;
     past->second.born_at = frame.evidence->time;
@@ -212,7 +213,8 @@ std::uint32_t TrackBook::heirOf(const Past& ended, const KeyFrame& frame) {
     const std::uint32_t id = frame.instances[s].id;
     const Past& other = past_.at(id);
     const bool beside = other.born_at < ended.seen - kLongestGap;
-    if (beside || other.born <= ended.proofs.front().scan || !isDynamic(frame, s)) continue;
+    if (beside || other.stood || other.born <= ended.proofs.front().scan) continue;
+    if (!isDynamic(frame, s)) continue;
     const Eigen::Vector3d way = proofOf(frame, s).center - ended.proofs.back().center;
     const double distance = way.head<2>().norm();
     if (distance >= least) continue;
@@ -288,6 +290,7 @@ void TrackBook::note(const KeyFrame& frame) {
     Past& past = past_[instance.id];
     past.seen = now;
     past.moved = provesMotion(frame, s);
+    past.stood = past.stood || (!instance.dynamic && isParkedHere(frame, s, config_));
     const MotionProof view = proofOf(frame, s);
     past.views.push_back(view);
     if (past.views.size() > static_cast<std::size_t>(config_.window)) {

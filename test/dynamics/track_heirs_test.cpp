@@ -191,6 +191,24 @@ TEST_F(ChangingIds, NorIsWhatWasThereForMoreThanHalfASecond) {
   }
 }
 
+// A walker and a parked car are one cluster with the car's id, and the walker's has ended.
+TEST_F(ChangingIds, NorIsWhatStoodBesideIt) {
+  for (bool stood : {false, true}) {
+    TrackBook tracks(config_);
+    for (int k = 0; k < 8; ++k) {
+      KeyFrame& frame = addMoving(1.0 * k, 0.1);
+      if (k >= 5) addBeside(frame, 9.0, 20);
+      if (k >= 5 && stood) frame.evidence->votes[1].assign(3, {100, 1.0F, 0, test::kPoints, true});
+      decide(tracks);
+    }
+    addMoving(9.0, 0.02).instances[0].id = 20;
+    decide(tracks);
+    addStanding(9.0, 0.1).instances[0].id = 20;
+    decide(tracks);
+    EXPECT_EQ(frames_.back()->instances[0].dynamic, !stood);
+  }
+}
+
 TEST_F(ChangingIds, WhatTwoHaveFromOneCountsOnce) {
   for (int moved : {4, 6}) {
     TrackBook tracks(config_);

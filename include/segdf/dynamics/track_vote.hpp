@@ -58,6 +58,7 @@ class TrackBook {
     double born_at = 0.0;        ///< its time, seconds
     double seen = 0.0;           ///< when it was last, seconds
     bool moved = false;          ///< then, by the votes, and has no heir yet
+    bool stood = false;          ///< at some time, found again where it was
     int apart = 0;               ///< instances that stood apart from what moved before
     std::size_t last_apart = 0;  ///< scan of the last of these
   };
@@ -66,8 +67,8 @@ class TrackBook {
   /// heir.
   void inherit(const KeyFrame& frame);
   /// The id in the frame that goes on with one that moved and has ended, 0 = none: the nearest
-  /// within 2.5 m, as seen from above, of those that the votes make dynamic, that came after it and
-  /// were not there beside it for long.
+  /// within 2.5 m, as seen from above, of those that the votes make dynamic, that came after it, and
+  /// that were not there beside it for long and have not stood.
   std::uint32_t heirOf(const Past& ended, const KeyFrame& frame);
   /// Of the ids that a frame has.
   std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
