@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
 #include "segdf/dynamics/instance_links.hpp"
 #include "segdf/dynamics/size_match.hpp"
@@ -68,6 +69,14 @@ void addProofs(const MotionProofs& more, MotionProofs& proofs) {
 
 bool isParkedHere(const KeyFrame& frame, std::size_t s, const DynamicConfig& config) {
   return isParked(frame.evidence->votes[s], frame.seg.segments[s].points.size(), config);
+}
+
+/// True when what can move came during the drive, and nobody saw it do so.
+bool cameToStand(const KeyFrame& frame, std::size_t s, const DynamicConfig& config) {
+  const Segment& segment = frame.seg.segments[s];
+  return config.semi_static == SemiStatic::kRemove && isTested(segment.object_class) &&
+         isMoverSized(segment.box.size) &&
+         cameHere(frame.evidence->votes[s], segment.points.size(), config);
 }
 
 /// True when hardly any member of the track moved, of many. A car that came and stopped is seen
@@ -276,6 +285,9 @@ void TrackBook::propagate(const Window& window, std::size_t position) {
     } else if (!instance.dynamic && moves(frame, s, proofs, track.proofs, window)) {
       instance.dynamic = true;
       instance.reason = Reason::kTrack;
+    } else if (!instance.dynamic && cameToStand(frame, s, config_)) {
+      instance.dynamic = true;
+      instance.reason = Reason::kLongLook;
     }
     if (instance.dynamic) {
       instance.whole = movedAsAWhole(proofs, proofOf(frame, s));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "segdf/classification/classifier.hpp"
 
@@ -10,6 +11,10 @@ namespace segdf {
 
 namespace {
 constexpr double kFoundAgain = 0.5;  // share of the points
+constexpr float kCameSeconds = 5.0F;
+constexpr std::size_t kCamePoints = 30;  // the edge of a dark car that returns nothing has fewer
+constexpr float kSeenEmpty = 0.98F;      // share of the points that were looked at
+constexpr double kLookedAt = 0.5;        // share of all points
 }  // namespace
 
 Verdict judgeVotes(const std::vector<PairVote>& votes,
@@ -52,6 +57,21 @@ bool isFoundAgain(const PairVote& vote, std::size_t points, const DynamicConfig&
   return std::abs(static_cast<double>(vote.seconds)) >= kParkedSeconds &&
          static_cast<double>(vote.freeShare()) <= config.f_stat &&
          static_cast<double>(vote.hit) >= kFoundAgain * static_cast<double>(points);
+}
+
+bool cameHere(const std::vector<PairVote>& votes, std::size_t points, const DynamicConfig& config) {
+  if (points < kCamePoints) return false;
+  float empty = -std::numeric_limits<float>::infinity();
+  for (const PairVote& vote : votes) {
+    const double seen = static_cast<double>(vote.free) + static_cast<double>(vote.hit);
+    const bool clear = vote.informative && vote.freeShare() >= kSeenEmpty &&
+                       seen >= kLookedAt * static_cast<double>(points);
+    if (clear && vote.seconds <= -kCameSeconds) empty = std::max(empty, vote.seconds);
+  }
+  return std::isfinite(empty) &&
+         std::none_of(votes.begin(), votes.end(), [&](const PairVote& vote) {
+           return vote.seconds < empty && isFoundAgain(vote, points, config);
+         });
 }
 
 bool isParked(const std::vector<PairVote>& votes, std::size_t points, const DynamicConfig& config) {

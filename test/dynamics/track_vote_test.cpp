@@ -165,5 +165,49 @@ TEST_F(TrackVote, WhatLeftTheWindowIsRemembered) {
   EXPECT_TRUE(frames_.back()->instances[0].dynamic);
 }
 
+/// It stands where a scan 6 s before saw nothing, and nobody knows of any motion.
+class TrackCame : public TrackVote {
+ protected:
+  KeyFrame& addCame() {
+    KeyFrame& frame = addStanding(0.0, 0.1);
+    frame.seg.segments[0].points.resize(40);
+    for (PairVote& found : frame.evidence->votes[0]) found.hit = 40;
+    frame.evidence->votes[0].push_back({0, -6.0F, 40, 0, true});
+    return frame;
+  }
+};
+
+TEST_F(TrackCame, WhatCameAndStandsGoesThoughNobodySawItMove) {
+  const KeyFrame& frame = addCame();
+  EXPECT_TRUE(goes());
+  EXPECT_EQ(frame.instances[0].reason, Reason::kLongLook);
+}
+
+TEST_F(TrackCame, NotWhatIsKeptWhileItIsParked) {
+  config_.semi_static = SemiStatic::kKeepWhileParked;
+  addCame();
+  EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackCame, NotWhatCannotMove) {
+  addCame().seg.segments[0].object_class = ObjectClass::kVegetation;
+  EXPECT_FALSE(goes());
+  addCame().seg.segments[0].box.size.x() = 25.0F;
+  EXPECT_FALSE(goes());
+}
+
+TEST_F(TrackCame, ItProvesNoMotionOfItsId) {
+  for (int k = 0; k < 12; ++k) addCame();
+  TrackBook tracks(config_);
+  for (std::size_t k = 0; k < window_.size(); ++k) {
+    tracks.propagate(window_, k);
+    tracks.note(*window_[k]);
+  }
+  window_.clear();
+  addStanding(0.0, 0.1);
+  tracks.propagate(window_, 0);
+  EXPECT_FALSE(frames_.back()->instances[0].dynamic);
+}
+
 }  // namespace
 }  // namespace segdf

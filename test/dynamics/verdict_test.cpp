@@ -77,5 +77,34 @@ TEST(Parked, FoundAgainForTheMostPartByThreeDistantFrames) {
       << "what moves slowly is found again by neighbours";
 }
 
+constexpr std::size_t kAll = 100;  // points
+
+TEST(CameHere, WhatALookFiveSecondsBeforeSawThrough) {
+  EXPECT_TRUE(cameHere({vote(98, -5.0F), vote(0, -3.0F), vote(0, 2.0F)}, kAll, {}));
+  EXPECT_FALSE(cameHere({vote(98, -4.9F), vote(0, 2.0F)}, kAll, {}));
+  EXPECT_FALSE(cameHere({vote(98, 5.0F)}, kAll, {})) << "it left";
+  EXPECT_FALSE(cameHere({}, kAll, {}));
+}
+
+TEST(CameHere, NearlyAllThatWasLookedAtMustHaveBeenSeenThrough) {
+  EXPECT_FALSE(cameHere({vote(97, -5.0F)}, kAll, {}));
+}
+
+TEST(CameHere, HalfOfItMustHaveBeenLookedAt) {
+  EXPECT_TRUE(cameHere({{0, -5.0F, 50, 0, true}}, kAll, {}));
+  EXPECT_FALSE(cameHere({{0, -5.0F, 49, 0, true}}, kAll, {}));
+}
+
+TEST(CameHere, NothingComesToWhereItWasFoundBefore) {
+  EXPECT_FALSE(cameHere({vote(100, -5.0F), vote(0, -6.0F)}, kAll, {}));
+  EXPECT_TRUE(cameHere({vote(100, -5.0F), vote(100, -6.0F)}, kAll, {}));
+}
+
+TEST(CameHere, AFewPointsMayBeTheEdgeOfADarkCar) {
+  const PairVote clear{0, -5.0F, 30, 0, true};
+  EXPECT_TRUE(cameHere({clear}, 30, {}));
+  EXPECT_FALSE(cameHere({clear}, 29, {}));
+}
+
 }  // namespace
 }  // namespace segdf

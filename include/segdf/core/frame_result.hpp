@@ -29,7 +29,7 @@ enum class Reason : std::uint8_t {
   kNoEvidence,   ///< no other frame told anything: kept
   kAssociation,  ///< literal mode: neighbours and occupancy
   kVotes,        ///< enough, or not enough, frames saw through it
-  kLongLook,     ///< one clear vote where there are few (the ends of a drive)
+  kLongLook,     ///< one clear vote: where there are few (the ends of a drive), or of long before
   kTrack,        ///< its track moves
   kRestored,     ///< the votes made it dynamic, but hardly any other member of its track
   kSplit,        ///< the moved part of a standing instance

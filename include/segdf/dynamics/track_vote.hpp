@@ -23,7 +23,8 @@ namespace segdf {
 /// not count where scans of that side found it here while the track was elsewhere, or from beyond
 /// motion elsewhere: then another object stands here, and the id has passed on to it. What the
 /// votes make dynamic is restored when hardly any of many members of its track are (compensation).
-/// What moved elsewhere at the same size is marked as whole. Memory: tracks that have left the
+/// What can move and stands where nothing was 5 s before came, whoever saw it do so: it goes, but
+/// proves no motion. What moved elsewhere at the same size is marked as whole. Memory: tracks that have left the
 /// window, and that nothing can continue any more, are forgotten.
 class TrackBook {
  public:
