@@ -10,8 +10,8 @@
 namespace segdf {
 
 namespace {
-constexpr double kFoundAgain = 0.5;  // share of the points
-constexpr float kCameSeconds = 5.0F;
+constexpr double kFoundAgain = 0.5;   // share of the points
+constexpr float kCameSeconds = 5.0F;  // before; edges of what stands far away are missed for less
 constexpr std::size_t kCamePoints = 30;  // the edge of a dark car that returns nothing has fewer
 constexpr float kSeenEmpty = 0.98F;      // share of the points that were looked at
 constexpr double kLookedAt = 0.5;        // share of all points

@@ -24,8 +24,8 @@ namespace segdf {
 /// motion elsewhere: then another object stands here, and the id has passed on to it. What the
 /// votes make dynamic is restored when hardly any of many members of its track are (compensation).
 /// What can move and stands where nothing was 5 s before came, whoever saw it do so: it goes, but
-/// proves no motion. What moved elsewhere at the same size is marked as whole. Memory: tracks that have left the
-/// window, and that nothing can continue any more, are forgotten.
+/// proves no motion. What moved elsewhere at the same size is marked as whole. Memory: tracks that
+/// have left the window, and that nothing can continue any more, are forgotten.
 class TrackBook {
  public:
   explicit TrackBook(const DynamicConfig& config) : config_(config) {}
@@ -68,8 +68,8 @@ class TrackBook {
   /// heir.
   void inherit(const KeyFrame& frame);
   /// The id in the frame that goes on with one that moved and has ended, 0 = none: the nearest
-  /// within 2.5 m, as seen from above, of those that the votes make dynamic, that came after it, and
-  /// that were not there beside it for long and have not stood.
+  /// within 2.5 m, as seen from above, of those that the votes make dynamic, that came after it,
+  /// and that were not there beside it for long and have not stood.
   std::uint32_t heirOf(const Past& ended, const KeyFrame& frame);
   /// Of the ids that a frame has.
   std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);

@@ -36,8 +36,8 @@ bool isSeenThrough(const PairVote& vote, const DynamicConfig& config);
 /// most part. @param points of the segment
 bool isFoundAgain(const PairVote& vote, std::size_t points, const DynamicConfig& config);
 
-/// True when it came: a scan 5 s before or more saw through where it stands (98 % of the points that
-/// were looked for, at least half of all), and none before that one found it. Of fewer than 30
+/// True when it came: a scan 5 s before or more saw through where it stands (98 % of the points
+/// that were looked for, at least half of all), and none before that one found it. Of fewer than 30
 /// points that may be the edge of a dark thing of which nothing returned from afar: false.
 bool cameHere(const std::vector<PairVote>& votes, std::size_t points, const DynamicConfig& config);
 
