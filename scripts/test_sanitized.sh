@@ -6,6 +6,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build-asan"
+"$root/scripts/setup.sh"
 export PATH="/usr/bin:$PATH"
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSEGDF_SANITIZE=ON -DCMAKE_CXX_FLAGS=-g1
 cmake --build "$build" -j "$(nproc)"

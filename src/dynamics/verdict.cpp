@@ -10,8 +10,8 @@
 namespace segdf {
 
 namespace {
-constexpr double kFoundAgain = 0.5;   // share of the points
-constexpr float kCameSeconds = 5.0F;  // before; edges of what stands far away are missed for less
+constexpr double kFoundAgain = 0.5;      // share of the points
+constexpr float kCameSeconds = 5.0F;     // after 3 s edges of dark cars seemed to have come
 constexpr std::size_t kCamePoints = 30;  // the edge of a dark car that returns nothing has fewer
 constexpr float kSeenEmpty = 0.98F;      // share of the points that were looked at
 constexpr double kLookedAt = 0.5;        // share of all points

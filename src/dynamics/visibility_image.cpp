@@ -228,7 +228,8 @@ VisibilityImage::Bin VisibilityImage::binOf(const Block& block, std::size_t k) c
 
 void VisibilityImage::fetch(const Block& block, std::size_t k) const {
   if (!isInside(block, k)) return;
-  const std::size_t own = index(static_cast<int>(block.row[k]), static_cast<int>(block.column[k]));
+  const Bin bin = binOf(block, k);
+  const std::size_t own = index(bin.row, bin.column);
   __builtin_prefetch(nearest_.data() + own);
   __builtin_prefetch(farthest_.data() + own);
   const int columns = columnsOf(block, k);
