@@ -124,13 +124,11 @@ Intake::Handlers SegdfNodelet::intakeHandlers() {
           }};
 }
 
-/// The services wait for the worker or for the disk, and must not keep messages waiting: hence the
-/// other queue.
 void SegdfNodelet::advertiseServices() {
-  ros::NodeHandle& node = getMTPrivateNodeHandle();
+  ros::NodeHandle node = filtering_.handle(getPrivateNodeHandle());
   flush_service_ = node.advertiseService("flush", &SegdfNodelet::onFlush, this);
   reset_service_ = node.advertiseService("reset", &SegdfNodelet::onReset, this);
-  save_service_ = node.advertiseService("save_map", &SegdfNodelet::onSaveMap, this);
+  save_service_ = saving_.handle(node).advertiseService("save_map", &SegdfNodelet::onSaveMap, this);
 }
 
 /// The server reads the same parameters again; outside their bounds they have been refused.
@@ -172,9 +170,8 @@ bool SegdfNodelet::onSaveMap(SaveMapRequest& request, SaveMapResponse& response)
   return true;
 }
 
-/// Not in the worker, which filters on meanwhile.
+/// Not in the worker, which filters on meanwhile. One at a time: the thread has no other service.
 std::string SegdfNodelet::saveMap(const std::string& destination, double resolution) {
-  const std::lock_guard<std::mutex> one_at_a_time(save_mutex_);
   checkExport(destination);
   const Counts counts = ledger_.counts();
   const MapSnapshot snapshot = stage_->snapshot();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs under rostest (nodelet_saving.test): writing a map and filtering a drive do not wait for
-// each other. A named pipe stands where the one of them writes, which is thus stuck for as long as
-// the test wants to look at the other.
+// Runs under rostest (nodelet_saving.test): writing a map, filtering a drive and hearing scans do
+// not wait for each other, even if the manager has one thread. A named pipe stands where one of
+// them writes, which is thus stuck for as long as the test wants to look at the others.
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -110,6 +110,8 @@ TEST_F(NodeletSaving, AMapIsWrittenWhileTheFilterIsBusy) {
   const Pipe pipe(results() / "partial" / "instances.csv.partial");
   std::future<std::string> flushing = std::async(std::launch::async, test::NodeClient::flush);
   EXPECT_TRUE(waitForFrame(kScans - 1)) << "after the last frame come the files";
+  scans_.publish(1);
+  EXPECT_TRUE(client_.waitUntilReceived(kScans + 1)) << "messages come while a service waits";
   std::future<SaveMapResponse> saving = std::async(std::launch::async, save, folder_ / "town.pcd");
   EXPECT_TRUE(test::spinUntil([&saving] { return isReady(saving); }));
   EXPECT_FALSE(isReady(flushing));

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -26,6 +25,7 @@
 #include "segdf/nodelets/intake.hpp"
 #include "segdf/nodelets/ledger.hpp"
 #include "segdf/nodelets/output_topics.hpp"
+#include "segdf/nodelets/service_thread.hpp"
 #include "segdf/nodelets/worker.hpp"
 #include "segdf/ros/parameters.hpp"
 
@@ -35,8 +35,9 @@ namespace segdf {
 /// `~flush`, `~reset` and `~save_map`; what is shown, and how, changes by dynamic_reconfigure. What
 /// each is for: docs/ros.md.
 ///
-/// ROS threads only pair messages and queue the pairs; one worker filters them in order, so that
-/// the labels are those of the offline runner. What does not fit in the queue is counted and told.
+/// The manager's threads only pair messages and queue the pairs; one worker filters them in order,
+/// so that the labels are those of the offline runner. What does not fit in the queue is counted
+/// and told. Services have threads of their own.
 class SegdfNodelet : public nodelet::Nodelet {
  public:
   SegdfNodelet() = default;
@@ -55,7 +56,7 @@ class SegdfNodelet : public nodelet::Nodelet {
   void advertiseServices();
   void offerDisplayOptions();
 
-  // In ROS threads.
+  // In the services' threads.
   bool onFlush(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onReset(ResetRequest& request, ResetResponse& response);
   bool onSaveMap(SaveMapRequest& request, SaveMapResponse& response);
@@ -68,7 +69,6 @@ class SegdfNodelet : public nodelet::Nodelet {
   /// nodelet then ends in that callback's thread, and takes its callbacks out of them.
   std::vector<boost::shared_ptr<ros::CallbackQueueInterface>> callback_queues_;
   Ledger ledger_;
-  std::mutex save_mutex_;  ///< one save at a time
 
   // Goes from the end: nothing comes in while the worker stops. It is there as long as the outputs,
   // which ask it for the map when somebody wants to see it, but stops before them.
@@ -80,6 +80,8 @@ class SegdfNodelet : public nodelet::Nodelet {
   std::unique_ptr<Intake> intake_;
   std::unique_ptr<Diagnostics> diagnostics_;
   std::unique_ptr<dynamic_reconfigure::Server<DisplayConfig>> display_server_;
+  ServiceThread filtering_;  ///< for services that wait for the worker
+  ServiceThread saving_;
   ros::ServiceServer flush_service_;
   ros::ServiceServer reset_service_;
   ros::ServiceServer save_service_;
