@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kLongestStep = 0.3;  // seconds that a proof stands for
 
-// Motion elsewhere in scans that found the instance here: three scans at 10 Hz.
+// Motion elsewhere in scans that found the instance here: three scans at 10 Hz, or two when the
+// track had no place in common with it and none saw through it.
 constexpr double kElsewhereSeconds = 0.25;
 constexpr int kElsewhereScans = 2;
 constexpr float kElsewhere = 2.0F;  // metres: farther than views of one car differ
@@ -62,6 +63,13 @@ MotionProofs viewsBeside(const MotionProofs& views, const MotionProof& here) {
     if (isFarther(view, here, 0.5F * (here.size.x() + view.size.x()))) beside.push_back(view);
   }
   return beside;
+}
+
+/// The view by a scan, or nullptr.
+const MotionProof* viewOf(std::size_t scan, const MotionProofs& views) {
+  const auto view = std::find_if(views.begin(), views.end(),
+                                 [scan](const MotionProof& v) { return v.scan == scan; });
+  return view == views.end() ? nullptr : &*view;
 }
 
 /// True when the track moved elsewhere between the scan of the instance and another.
@@ -126,27 +134,26 @@ bool standsApart(const KeyFrame& frame,
                  const DynamicConfig& config) {
   const MotionProof here = proofOf(frame, segment);
   const MotionProofs far = elsewhere(proofs, here);
-  MotionProofs anywhere = viewsBeside(views, here);
-  anywhere.insert(anywhere.end(), far.begin(), far.end());
+  const MotionProofs beside = viewsBeside(views, here);
   const std::size_t points = frame.seg.segments[segment].points.size();
   double seconds = 0.0;
   int scans = 0;
+  int scans_beside = 0;
   int beyond = 0;
   bool seen_through = false;
   for (const PairVote& vote : frame.evidence->votes[segment]) {
     if ((vote.scan < frame.index) != (side == Side::kBefore)) continue;
     seen_through = seen_through || isSeenThrough(vote, config);
     if (!isFoundAgain(vote, points, config)) continue;
-    const auto view = std::find_if(anywhere.begin(), anywhere.end(),
-                                   [&](const MotionProof& v) { return v.scan == vote.scan; });
-    if (view != anywhere.end()) {
-      seconds += view->seconds;
-      ++scans;
-    }
+    const MotionProof* const view_beside = viewOf(vote.scan, beside);
+    const MotionProof* const view = view_beside != nullptr ? view_beside : viewOf(vote.scan, far);
+    scans += view != nullptr ? 1 : 0;
+    seconds += view != nullptr ? view->seconds : 0.0;
+    scans_beside += view_beside != nullptr ? 1 : 0;
     beyond += isFoundBeyond(vote, frame.index, points, proofs, far) ? 1 : 0;
   }
   return (scans >= kElsewhereScans && seconds >= kElsewhereSeconds) ||
-         (beyond >= kFoundBeyond && !seen_through);
+         (!seen_through && (scans_beside >= kElsewhereScans || beyond >= kFoundBeyond));
 }
 
 bool staysBehind(const KeyFrame& frame,

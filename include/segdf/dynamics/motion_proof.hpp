@@ -46,8 +46,9 @@ enum class Side { kBefore, kAfter };
 MotionProofs proofsOn(Side side, std::size_t scan, const MotionProofs& proofs);
 
 /// True when what moved on that side of the segment's scan is another object: two or more scans of
-/// that side in which the track was elsewhere found the segment here, for long enough; or several
-/// did on the other side of scans in which it moved elsewhere, and none saw through it: nothing
+/// that side in which the track was elsewhere found the segment here, for long enough, or, if none
+/// saw through it, two in which the track had no place in common with it; or several found it on
+/// the other side of scans in which the track moved elsewhere, and none saw through it: nothing
 /// leaves and comes back to the same place unseen. Scans of the other side tell nothing: who came
 /// and stopped here is seen to stand when the id passes on to somebody else.
 /// @param proofs of the track, on that side
