@@ -39,6 +39,8 @@ std::string toString(Reason reason) {
       return "left";
     case Reason::kEnclosed:
       return "enclosed";
+    case Reason::kConsensus:
+      return "consensus";
     case Reason::kNoEvidence:
       break;
   }

@@ -25,11 +25,12 @@ void LiteralFilter::observe(const Window& window) {
   judge(previous, overlaps);
 }
 
-void LiteralFilter::decide(const Window& window, std::size_t position) {
-  KeyFrame& frame = *window[position];
-  if (frame.judged || position == 0) return;
-  judge(frame,
-        overlapSegments(frame, pointsOfSegments(frame), *window[position - 1], grid_, threads_));
+void LiteralFilter::decide(const Window& window, std::size_t count) {
+  for (std::size_t i = 1; i < count; ++i) {
+    KeyFrame& frame = *window[i];
+    if (frame.judged) continue;
+    judge(frame, overlapSegments(frame, pointsOfSegments(frame), *window[i - 1], grid_, threads_));
+  }
 }
 
 void LiteralFilter::judge(KeyFrame& frame, const std::vector<SegmentOverlap>& overlaps) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/dynamics/visibility_filter.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "segdf/classification/classifier.hpp"
@@ -16,6 +17,17 @@
 
 namespace segdf {
 
+namespace {
+
+/// The frames that still gather evidence.
+Window open(const Window& window) {
+  const auto first = std::find_if(window.begin(), window.end(),
+                                  [](const KeyFrame* frame) { return !frame->judged; });
+  return {first, window.end()};
+}
+
+}  // namespace
+
 VisibilityFilter::VisibilityFilter(const Config& config, IdSource& ids, int threads)
     : config_(config),
       grid_(config.cvi, config.input.min_range),
@@ -25,10 +37,11 @@ VisibilityFilter::VisibilityFilter(const Config& config, IdSource& ids, int thre
       threads_(threads) {}
 
 bool VisibilityFilter::isSettled(const Window& window) const {
-  return isOutOfReach(window, config_.df);
+  return window.size() > Consensus::kAround && window[Consensus::kAround]->judged;
 }
 
-void VisibilityFilter::observe(const Window& window) {
+void VisibilityFilter::observe(const Window& all) {
+  Window window = open(all);
   KeyFrame& newest = *window.back();
   newest.evidence = std::make_shared<FrameEvidence>(prepareEvidence(newest, config_.df));
   newest.instances.assign(newest.seg.segments.size(), Instance{});
@@ -49,6 +62,7 @@ void VisibilityFilter::observe(const Window& window) {
   // After the comparison: that one left its place and another came is what links them.
   passOnIds({window.begin(), window.end() - 1}, newest, overlaps, config_.df, ids_);
   if (remembers()) places_.look(newest);
+  for (; isOutOfReach(window, config_.df); window.erase(window.begin())) judge(window, 0);
 }
 
 void VisibilityFilter::compare(const Window& window) {
@@ -68,18 +82,30 @@ void VisibilityFilter::compare(const Window& window) {
   }
 }
 
-void VisibilityFilter::decide(const Window& window, std::size_t position) {
+void VisibilityFilter::judge(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
-  if (frame.judged) return;
-  judge(frame);
+  judgeByVotes(frame);
   tracks_.propagate(window, position);
   const std::vector<PlaceEvidence> by_point = evidenceByPoint(frame);
   splitMoved(frame, by_point, config_, grid_, ids_);
   keepStanding(frame, by_point, config_, grid_, ids_);
   tracks_.note(frame);
+  if (removesParked()) consensus_.note(frame);
+  frame.judged = true;
+}
+
+void VisibilityFilter::decide(const Window& window, std::size_t count) {
+  if (count == window.size()) {
+    const Window last = open(window);
+    for (std::size_t i = 0; i < last.size(); ++i) judge(last, i);
+  }
+  for (std::size_t i = 0; i < count; ++i) finish(*window[i]);
+}
+
+void VisibilityFilter::finish(KeyFrame& frame) {
+  if (removesParked()) consensus_.apply(frame);
   removeEnclosed(frame, config_.df);
   if (remembers()) places_.note(frame);
-  frame.judged = true;
 }
 
 void VisibilityFilter::settle(KeyFrame& frame) const {
@@ -87,7 +113,7 @@ void VisibilityFilter::settle(KeyFrame& frame) const {
   settleGround(frame, config_.df);
 }
 
-void VisibilityFilter::judge(KeyFrame& frame) const {
+void VisibilityFilter::judgeByVotes(KeyFrame& frame) const {
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     const Segment& segment = frame.seg.segments[s];
     const Verdict verdict = judgeVotes(frame.evidence->votes[s], segment.object_class, config_.df);

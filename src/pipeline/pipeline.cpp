@@ -69,7 +69,7 @@ class Pipeline::Impl {
   void decideAll(const Take& take) {
     takeFiltered(take);
     const Window window = keyFrames();
-    for (std::size_t i = 0; i < window.size(); ++i) filter_->decide(window, i);
+    filter_->decide(window, window.size());
     gate_ = ScanGate(config_.input);
     std::vector<Revocation> revoked = filter_->takeRevocations();
     // Each is made ready while the one before is taken.
@@ -157,7 +157,7 @@ class Pipeline::Impl {
     for (Window window = keyFrames(); !entries_.empty(); window = keyFrames()) {
       if (entries_.front().key) {
         if (!filter_->isSettled(window)) break;
-        filter_->decide(window, 0);
+        filter_->decide(window, 1);
       }
       results.push_back(releaseOldest());
     }

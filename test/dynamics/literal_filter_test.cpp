@@ -23,7 +23,7 @@ class LiteralFilterTest : public ::testing::Test {
     after_ = makeKeyFrame(second, config_);
     filter_.observe({before_.get()});
     filter_.observe({before_.get(), after_.get()});
-    filter_.decide({before_.get(), after_.get()}, 1);
+    filter_.decide({before_.get(), after_.get()}, 2);
   }
 
   /// A street with a car at (8, 3) that moves by dx between two scans from the same place.

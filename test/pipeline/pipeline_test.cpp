@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "segdf/dynamics/consensus.hpp"
+
 #include "support/box_world.hpp"
 #include "support/flushed.hpp"
 
@@ -105,15 +107,16 @@ TEST(Pipeline, WhatTheTakerThrowsComesOutOfFlush) {
   }
 }
 
-TEST(Pipeline, TheDelayIsNoLongerThanTheWindow) {
-  const std::vector<Scan> drive = makeDrive(6);
+TEST(Pipeline, TheDelayIsNoLongerThanTheWindowAndTheConsensus) {
+  constexpr std::size_t kDelay = 3 + Consensus::kAround;
+  const std::vector<Scan> drive = makeDrive(kDelay + 3);
   Config config;
   config.df.window = 3;
   Pipeline pipeline(config, 1);
   for (std::size_t k = 0; k < drive.size(); ++k) {
-    EXPECT_EQ(pipeline.process(drive[k]).size(), k < 4 ? 0U : 1U);
+    EXPECT_EQ(pipeline.process(drive[k]).size(), k <= kDelay ? 0U : 1U);
   }
-  EXPECT_EQ(test::flushed(pipeline).size(), 4U);
+  EXPECT_EQ(test::flushed(pipeline).size(), kDelay + 1);
 }
 
 TEST(Pipeline, RemovesTheCarThatDrivesAndKeepsTheOneThatIsParked) {

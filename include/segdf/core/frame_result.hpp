@@ -35,12 +35,13 @@ enum class Reason : std::uint8_t {
   kSplit,        ///< the moved part of a standing instance
   kKept,         ///< the standing part of a moved instance
   kEnclosed,     ///< lies inside a moved instance, and was hardly found again
+  kConsensus,    ///< nearly all key frames around it remove what is in its place
   kLeft,         ///< it stood, and later scans saw through its place (Revocation)
 };
-constexpr std::size_t kReasons = 10;
+constexpr std::size_t kReasons = 11;
 
 /// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "restored",
-/// "split", "kept", "enclosed", "left".
+/// "split", "kept", "enclosed", "consensus", "left".
 std::string toString(Reason reason);
 
 /// What another key frame says of an instance.

@@ -27,9 +27,9 @@ class DynamicFilter {
   /// segments their instance ids and gathers evidence.
   virtual void observe(const Window& window) = 0;
 
-  /// The frame at `position` is about to leave, or no further frame will come: makes the verdicts
-  /// on its instances final. Does nothing when they are.
-  virtual void decide(const Window& window, std::size_t position) = 0;
+  /// The first `count` frames are about to leave; when these are all, no further one will come:
+  /// makes the verdicts on their instances final.
+  virtual void decide(const Window& window, std::size_t count) = 0;
 
   /// Of a frame that has been decided and leaves: its points that are in no instance follow the
   /// verdicts. May run beside anything that is done with other frames.

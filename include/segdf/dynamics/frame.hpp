@@ -34,7 +34,7 @@ struct KeyFrame {
   Scan scan;
   Segmentation seg;
   std::vector<Instance> instances;  ///< instance s belongs to seg.segments[s]
-  bool judged = false;              ///< verdicts are final
+  bool judged = false;              ///< no further evidence will come
   /// Points of no instance that moved: ground points of moving objects, small clusters. Ascending.
   std::vector<std::uint32_t> removed;
   std::shared_ptr<FrameEvidence> evidence;  ///< the filter's own; empty in literal mode

@@ -25,7 +25,7 @@ class LiteralFilter : public DynamicFilter {
 
   bool isSettled(const Window& window) const override { return window.size() > 2; }
   void observe(const Window& window) override;
-  void decide(const Window& window, std::size_t position) override;
+  void decide(const Window& window, std::size_t count) override;
   void settle(KeyFrame& /*frame*/) const override {}
   std::vector<Revocation> takeRevocations() override { return {}; }
 

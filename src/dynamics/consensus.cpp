@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "segdf/dynamics/consensus.hpp"
+
+#include <algorithm>
+
+#include "segdf/dynamics/evidence.hpp"
+
+namespace segdf {
+
+namespace {
+
+constexpr int kSay = 6;               // frames, of ten
+constexpr double kAgree = 0.8;        // share of these
+constexpr double kWhole = 0.9;        // share of the points there
+constexpr double kOther = 0.5;        // points of another object, for each point of the view
+constexpr double kPlaceMargin = 0.3;  // metres
+
+/// Where the segment stands, seen from above, map frame.
+Eigen::AlignedBox2d placeOf(const KeyFrame& frame, const Segment& segment) {
+  const UprightBox& box = segment.box;
+  const Eigen::Rotation2Df turn(box.yaw);
+  Eigen::AlignedBox2d place;
+  for (const float x : {-0.5F, 0.5F}) {
+    for (const float y : {-0.5F, 0.5F}) {
+      Eigen::Vector3f corner = box.center;
+      corner.head<2>() += turn * Eigen::Vector2f(x * box.size.x(), y * box.size.y());
+      place.extend((frame.scan.pose * corner.cast<double>()).head<2>());
+    }
+  }
+  return place;
+}
+
+bool isSamePlace(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kPlaceMargin);
+  return Eigen::AlignedBox2d(a.min() - margin, a.max() + margin).intersects(b);
+}
+
+}  // namespace
+
+std::vector<Consensus::View> Consensus::viewsOf(const KeyFrame& frame) {
+  std::vector<View> views(frame.instances.size());
+  for (std::size_t s = 0; s < views.size(); ++s) {
+    const Instance& instance = frame.instances[s];
+    const Segment& segment = frame.seg.segments[s];
+    const bool is_part = s >= frame.evidence->votes.size();
+    views[s] = {is_part ? instance.parent : instance.id, placeOf(frame, segment),
+                segment.points.size(), instance.dynamic};
+  }
+  return views;
+}
+
+void Consensus::note(const KeyFrame& frame) { frames_.push_back({frame.index, viewsOf(frame)}); }
+
+bool Consensus::standsInPlaceOf(const View& view, const View& other) {
+  return other.track != view.track && !other.dynamic &&
+         static_cast<double>(other.points) >= kOther * static_cast<double>(view.points) &&
+         other.place.contains(view.place.center());
+}
+
+Consensus::Say Consensus::say(const FrameViews& frame, const View& view) {
+  std::size_t points = 0;
+  std::size_t dynamic = 0;
+  for (const View& other : frame.views) {
+    if (standsInPlaceOf(view, other)) return Say::kStands;
+    if (other.track != view.track || !isSamePlace(other.place, view.place)) continue;
+    points += other.points;
+    dynamic += other.dynamic ? other.points : 0;
+  }
+  if (points == 0) return Say::kNothing;
+  return static_cast<double>(dynamic) >= kWhole * static_cast<double>(points) ? Say::kGoes
+                                                                              : Say::kStands;
+}
+
+bool Consensus::goes(const View& view, std::size_t scan) const {
+  int said = 0;
+  int going = 0;
+  bool after = false;
+  for (const FrameViews& frame : frames_) {
+    if (frame.scan == scan) continue;
+    const Say word = say(frame, view);
+    said += word != Say::kNothing ? 1 : 0;
+    going += word == Say::kGoes ? 1 : 0;
+    after = after || (word == Say::kGoes && frame.scan > scan);
+  }
+  return said >= kSay && going >= kAgree * said && after;
+}
+
+void Consensus::apply(KeyFrame& frame) {
+  const auto here = std::find_if(frames_.begin(), frames_.end(), [&frame](const FrameViews& views) {
+    return views.scan == frame.index;
+  });
+  for (std::size_t s = 0; s < here->views.size(); ++s) {
+    Instance& instance = frame.instances[s];
+    if (instance.dynamic || !goes(here->views[s], frame.index)) continue;
+    instance.dynamic = true;
+    instance.reason = Reason::kConsensus;
+  }
+  if (here - frames_.begin() >= static_cast<std::ptrdiff_t>(kAround)) frames_.pop_front();
+}
+
+}  // namespace segdf
