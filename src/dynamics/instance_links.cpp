@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -19,10 +20,13 @@ namespace segdf {
 
 namespace {
 
-constexpr double kMotionGate = 2.5;    // metres from where an instance is expected
-constexpr double kMovedGate = 1.0;     // the same for what looks otherwise than before
-constexpr double kVelocityTime = 0.5;  // seconds: the baseline of a velocity
-constexpr double kPartMargin = 0.3;    // metres
+constexpr double kMotionGate = 2.5;       // metres from where an instance is expected
+constexpr double kMovedGate = 1.0;        // the same for what looks otherwise than before
+constexpr double kVelocityTime = 0.5;     // seconds: the baseline of a velocity
+constexpr double kPartMargin = 0.3;       // metres
+constexpr double kPartShare = 1.0 / 3.0;  // of the voxels of what it came off
+constexpr double kYoung = 0.5;            // seconds
+constexpr double kComparable = 0.6;       // of the voxels of the best link
 
 /// Segments of `to` that instance `s` of `from` makes one; fewer than two when it fuses nothing.
 std::vector<std::uint32_t> fusionOf(const KeyFrame& from,
@@ -136,6 +140,37 @@ double gateOf(const KeyFrame& from,
   return from.instances[f].velocity.norm() > 0.0 ? kMovedGate : -1.0;
 }
 
+/// The highest id of the key frames before the last one: higher ones in the last are young, less
+/// than half a second old in `to`. Where key frames are farther apart none are.
+std::uint32_t highestOldId(const Window& before, const KeyFrame& to) {
+  if (before.size() < 2 || secondsBetween(*before[before.size() - 2], to) > kYoung) {
+    return std::numeric_limits<std::uint32_t>::max();
+  }
+  std::uint32_t highest = 0;
+  for (auto frame = before.begin(); frame != before.end() - 1; ++frame) {
+    for (const Instance& instance : (*frame)->instances) highest = std::max(highest, instance.id);
+  }
+  return highest;
+}
+
+/// The link to follow in place of links[k]: where that has a young id, of the others to its segment
+/// with not many voxels fewer the one with the oldest. Of a far car the front is a segment of its
+/// own in one key frame, and in the next one with the rest, of which it has more.
+Link elder(const std::vector<Link>& links,
+           std::size_t k,
+           std::uint32_t highest_old,
+           const std::set<std::uint32_t>& given) {
+  Link best = links[k];
+  if (best.id <= highest_old) return best;
+  const double least = kComparable * best.voxels;
+  for (; k < links.size() && links[k].voxels >= least; ++k) {
+    const Link& link = links[k];
+    const bool is_old = link.id <= highest_old && link.id < best.id;
+    if (link.segment == best.segment && is_old && given.count(link.id) == 0) best = link;
+  }
+  return best;
+}
+
 struct MotionLink {
   double distance = 0.0;
   std::uint32_t from = 0;
@@ -198,14 +233,17 @@ Eigen::AlignedBox2d areaOf(const KeyFrame& frame, std::size_t segment) {
 }
 
 /// True when the segment of `to` lies within where that of `from` was and went to: between both
-/// when it brakes.
-bool isPartHere(const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t) {
+/// when it brakes. Of what takes a good share of it the centre must: a far car shows now more of
+/// its front, now of its rear.
+bool isPartHere(
+    const KeyFrame& from, std::size_t f, const KeyFrame& to, std::size_t t, double share) {
   const Eigen::Vector3d way = secondsBetween(from, to) * from.instances[f].velocity;
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kPartMargin);
   const Eigen::AlignedBox2d before = areaOf(from, f);
   const Eigen::AlignedBox2d area = before.merged(before.translated(way.head<2>()));
   const Eigen::AlignedBox2d whole(area.min() - margin, area.max() + margin);
-  return whole.contains(areaOf(to, t));
+  return whole.contains(areaOf(to, t)) ||
+         (share >= kPartShare && whole.contains(centerOf(to, t).head<2>()));
 }
 
 /// Names for each segment that no link reached the instance that it was a part of.
@@ -215,7 +253,7 @@ void findParents(const KeyFrame& from, const std::vector<SegmentOverlap>& overla
     for (const Neighbour& neighbour : overlaps[f].neighbours) {
       const auto t = static_cast<std::size_t>(neighbour.segment);
       if (to.instances[t].id != 0 || neighbour.voxels <= most[t]) continue;
-      if (!isPartHere(from, f, to, t)) continue;
+      if (!isPartHere(from, f, to, t, overlaps[f].overlap(neighbour))) continue;
       most[t] = neighbour.voxels;
       to.instances[t].parent = from.instances[f].id;
     }
@@ -256,7 +294,11 @@ void passOnIds(const Window& before,
     if (instance.id == 0 && given.insert(from.id).second) instance.id = from.id;
   };
   const KeyFrame& last = *before.back();
-  for (const Link& link : linksOf(last, overlaps, config.assoc)) {
+  const std::vector<Link> links = linksOf(last, overlaps, config.assoc);
+  const std::uint32_t highest_old = highestOldId(before, to);
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    if (given.count(links[k].id) != 0 || to.instances[links[k].segment].id != 0) continue;
+    const Link link = elder(links, k, highest_old, given);
     give(last.instances[link.from], to.instances[link.segment]);
   }
   for (auto from = before.rbegin(); from != before.rend(); ++from) {
