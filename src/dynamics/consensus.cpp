@@ -37,19 +37,21 @@ bool isSamePlace(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
 
 }  // namespace
 
-std::vector<Consensus::View> Consensus::viewsOf(const KeyFrame& frame) {
-  std::vector<View> views(frame.instances.size());
-  for (std::size_t s = 0; s < views.size(); ++s) {
+Consensus::FrameViews Consensus::viewsOf(const KeyFrame& frame) {
+  FrameViews seen{frame.index, {}, {}};
+  for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     const Instance& instance = frame.instances[s];
     const Segment& segment = frame.seg.segments[s];
     const bool is_part = s >= frame.evidence->votes.size();
-    views[s] = {is_part ? instance.parent : instance.id, placeOf(frame, segment),
-                segment.points.size(), instance.dynamic};
+    const std::uint32_t track = is_part ? instance.parent : instance.id;
+    seen.views.push_back({track, placeOf(frame, segment), segment.points.size(), instance.dynamic});
+    if (instance.dynamic) seen.moving.push_back(track);
   }
-  return views;
+  std::sort(seen.moving.begin(), seen.moving.end());
+  return seen;
 }
 
-void Consensus::note(const KeyFrame& frame) { frames_.push_back({frame.index, viewsOf(frame)}); }
+void Consensus::note(const KeyFrame& frame) { frames_.push_back(viewsOf(frame)); }
 
 bool Consensus::standsInPlaceOf(const View& view, const View& other) {
   return other.track != view.track && !other.dynamic &&
@@ -72,6 +74,10 @@ Consensus::Say Consensus::say(const FrameViews& frame, const View& view) {
 }
 
 bool Consensus::goes(const View& view, std::size_t scan) const {
+  const auto moving = std::count_if(frames_.begin(), frames_.end(), [&](const FrameViews& frame) {
+    return std::binary_search(frame.moving.begin(), frame.moving.end(), view.track);
+  });
+  if (static_cast<double>(moving) < kAgree * kSay) return false;  // soon told, and of most
   int said = 0;
   int going = 0;
   bool after = false;

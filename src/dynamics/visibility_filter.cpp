@@ -95,11 +95,13 @@ void VisibilityFilter::judge(const Window& window, std::size_t position) {
 }
 
 void VisibilityFilter::decide(const Window& window, std::size_t count) {
-  if (count == window.size()) {
+  const bool are_last = count == window.size();
+  if (are_last) {
     const Window last = open(window);
     for (std::size_t i = 0; i < last.size(); ++i) judge(last, i);
   }
   for (std::size_t i = 0; i < count; ++i) finish(*window[i]);
+  if (are_last) consensus_ = Consensus();
 }
 
 void VisibilityFilter::finish(KeyFrame& frame) {

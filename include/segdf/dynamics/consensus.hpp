@@ -43,11 +43,12 @@ class Consensus {
   struct FrameViews {
     std::size_t scan = 0;
     std::vector<View> views;
+    std::vector<std::uint32_t> moving;  ///< tracks of which anything goes, ascending
   };
   /// What a frame says of a view's place.
   enum class Say : std::uint8_t { kNothing, kStands, kGoes };
 
-  static std::vector<View> viewsOf(const KeyFrame& frame);
+  static FrameViews viewsOf(const KeyFrame& frame);
   /// True when the other view is of another object, which was found to stand: the track comes from
   /// it, or goes on to it.
   static bool standsInPlaceOf(const View& view, const View& other);
