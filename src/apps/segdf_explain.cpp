@@ -32,7 +32,7 @@ std::string sentence(const segdf::EvidenceRow& row) {
   if (row.reason == "left") {
     return "all its points up to here, since it has left: later scans saw through its place";
   }
-  if (row.reason == "consensus") return "goes, as in nearly all scans around; " + votes;
+  if (row.reason == "consensus") return "goes, as in most scans around; " + votes;
   if (row.reason == "enclosed") return "lies inside a removed instance, and goes with it; " + votes;
   return votes;
 }

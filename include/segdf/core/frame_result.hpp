@@ -35,7 +35,7 @@ enum class Reason : std::uint8_t {
   kSplit,        ///< the moved part of a standing instance
   kKept,         ///< the standing part of a moved instance
   kEnclosed,     ///< lies inside a moved instance, and was hardly found again
-  kConsensus,    ///< nearly all key frames around it remove what is in its place
+  kConsensus,    ///< most key frames around it remove what is in its place
   kLeft,         ///< it stood, and later scans saw through its place (Revocation)
 };
 constexpr std::size_t kReasons = 11;

@@ -15,8 +15,8 @@ namespace segdf {
 /// Verdicts of neighbouring key frames on one place (method.md 6.6, several frames decide). The
 /// evidence of a frame hangs on which others it was compared with: of a lorry that stands beside
 /// the ego, and goes with its track for seconds, one scan has no look that tells it from what is
-/// parked, and in another a part of it seems to stand. What nearly all frames around remove goes
-/// there, too. The reverse is not done: it brings nothing.
+/// parked, and in another a part of it seems to stand. What most frames around remove goes there,
+/// too. The reverse is not done: it brings nothing.
 class Consensus {
  public:
   /// Key frames, before and after, that are asked.
@@ -25,8 +25,8 @@ class Consensus {
   /// Notes the verdicts on a key frame. @pre frames come in the order of time
   void note(const KeyFrame& frame);
 
-  /// Makes dynamic what stands in the frame, and goes in four fifths of the frames around that have
-  /// its track there: six at least, one after it among them. A part that was found to stand is
+  /// Makes dynamic what stands in the frame, and goes in three fifths of the frames around that
+  /// have its track there: six at least, one after it among them. A part that was found to stand is
   /// looked for as its instance, with all parts. A frame in which something else stands there says
   /// that it stands. Forgets what no later frame asks for.
   /// @pre this frame and, but at the end, kAround after it have been noted
