@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kScans = 10;  // more than a frame waits for
+constexpr int kScans = 10;              // more than a frame waits for
 constexpr std::size_t kPoints = 10000;  // their map is larger than what a pipe holds, 64 KiB
 
 /// Keeps who writes this file waiting until it is read.
