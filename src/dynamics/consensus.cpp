@@ -73,35 +73,40 @@ Consensus::Say Consensus::say(const FrameViews& frame, const View& view) {
                                                                               : Say::kStands;
 }
 
-bool Consensus::goes(const View& view, std::size_t scan) const {
-  const auto moving = std::count_if(frames_.begin(), frames_.end(), [&](const FrameViews& frame) {
-    return std::binary_search(frame.moving.begin(), frame.moving.end(), view.track);
-  });
-  if (static_cast<double>(moving) < kAgree * kSay) return false;  // soon told, and of most
+bool Consensus::goes(std::size_t here, const View& view) const {
+  const std::size_t first = here - std::min(here, kAround);
+  const std::size_t last = std::min(here + kAround, frames_.size() - 1);
+  int moving = 0;
+  for (std::size_t k = first; k <= last; ++k) {
+    const std::vector<std::uint32_t>& tracks = frames_[k].moving;
+    moving += std::binary_search(tracks.begin(), tracks.end(), view.track) ? 1 : 0;
+  }
+  if (moving < kAgree * kSay) return false;  // soon told, and of most
   int said = 0;
   int going = 0;
   bool after = false;
-  for (const FrameViews& frame : frames_) {
-    if (frame.scan == scan) continue;
-    const Say word = say(frame, view);
+  for (std::size_t k = first; k <= last; ++k) {
+    if (k == here) continue;
+    const Say word = say(frames_[k], view);
     said += word != Say::kNothing ? 1 : 0;
     going += word == Say::kGoes ? 1 : 0;
-    after = after || (word == Say::kGoes && frame.scan > scan);
+    after = after || (word == Say::kGoes && k > here);
   }
   return said >= kSay && going >= kAgree * said && after;
 }
 
 void Consensus::apply(KeyFrame& frame) {
-  const auto here = std::find_if(frames_.begin(), frames_.end(), [&frame](const FrameViews& views) {
-    return views.scan == frame.index;
-  });
-  for (std::size_t s = 0; s < here->views.size(); ++s) {
+  const auto found =
+      std::find_if(frames_.begin(), frames_.end(),
+                   [&frame](const FrameViews& views) { return views.scan == frame.index; });
+  const auto here = static_cast<std::size_t>(found - frames_.begin());
+  for (std::size_t s = 0; s < found->views.size(); ++s) {
     Instance& instance = frame.instances[s];
-    if (instance.dynamic || !goes(here->views[s], frame.index)) continue;
+    if (instance.dynamic || !goes(here, found->views[s])) continue;
     instance.dynamic = true;
     instance.reason = Reason::kConsensus;
   }
-  if (here - frames_.begin() >= static_cast<std::ptrdiff_t>(kAround)) frames_.pop_front();
+  if (here >= kAround) frames_.pop_front();
 }
 
 }  // namespace segdf

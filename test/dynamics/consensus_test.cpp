@@ -64,16 +64,20 @@ class ConsensusTest : public ::testing::Test {
     }
   }
 
-  /// Whether the last instance of a frame goes in the end.
+  /// Whether the last instance of a frame goes in the end, when all frames leave together.
   bool goes(std::size_t index) {
     Consensus consensus;
-    for (std::size_t k = 0; k < frames_.size(); ++k) {
+    for (const auto& frame : frames_) consensus.note(*frame);
+    for (const auto& frame : frames_) consensus.apply(*frame);
+    return frames_[index]->instances.back().dynamic;
+  }
+
+  /// The same when each leaves as soon as it can.
+  bool goesAmidTheDrive(std::size_t index) {
+    Consensus consensus;
+    for (std::size_t k = 0; k <= index + Consensus::kAround; ++k) {
       consensus.note(*frames_[k]);
       if (k >= Consensus::kAround) consensus.apply(*frames_[k - Consensus::kAround]);
-    }
-    const std::size_t rest = std::min(frames_.size(), Consensus::kAround);
-    for (std::size_t k = frames_.size() - rest; k < frames_.size(); ++k) {
-      consensus.apply(*frames_[k]);
     }
     return frames_[index]->instances.back().dynamic;
   }
@@ -111,7 +115,11 @@ TEST_F(ConsensusTest, WhatStopsStands) {
 TEST_F(ConsensusTest, WhatStandsIsNotAskedTo) { EXPECT_TRUE(goes("SSSSSgSSSSS", 5)); }
 
 TEST_F(ConsensusTest, FiveFramesToEachSideAreAsked) {
-  EXPECT_TRUE(goes("SSSSSgggggSgggggSSSSS", 10));
+  const std::string verdicts = "SSSSSSgggggSgggggSSSSSS";  // ten of twenty-two go
+  EXPECT_TRUE(goes(verdicts, 11));
+  frames_.clear();
+  addFrames(verdicts);
+  EXPECT_TRUE(goesAmidTheDrive(11));
 }
 
 // Verdicts count as they were, so that two beside each other do not hang on their order.

@@ -53,7 +53,7 @@ class Consensus {
   /// it, or goes on to it.
   static bool standsInPlaceOf(const View& view, const View& other);
   static Say say(const FrameViews& frame, const View& view);
-  bool goes(const View& view, std::size_t scan) const;
+  bool goes(std::size_t here, const View& view) const;
 
   std::deque<FrameViews> frames_;  ///< oldest first
 };
