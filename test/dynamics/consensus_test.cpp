@@ -115,7 +115,7 @@ TEST_F(ConsensusTest, WhatStopsStands) {
 TEST_F(ConsensusTest, WhatStandsIsNotAskedTo) { EXPECT_TRUE(goes("SSSSSgSSSSS", 5)); }
 
 TEST_F(ConsensusTest, FiveFramesToEachSideAreAsked) {
-  const std::string verdicts = "SSSSSSgggggSgggggSSSSSS";  // ten of twenty-two go
+  const std::string verdicts = "SSSSSSgggggSgggggSSSSSSSSSSSS";  // ten of twenty-eight go
   EXPECT_TRUE(goes(verdicts, 11));
   frames_.clear();
   addFrames(verdicts);
