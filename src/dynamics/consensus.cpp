@@ -10,7 +10,7 @@ namespace segdf {
 namespace {
 
 constexpr int kSay = 6;               // frames, of ten
-constexpr double kAgree = 0.6;        // share of these
+constexpr double kAgree = 0.7;        // share of these
 constexpr double kWhole = 0.9;        // share of the points there
 constexpr double kOther = 0.5;        // points of another object, for each point of the view
 constexpr double kPlaceMargin = 0.3;  // metres

@@ -25,7 +25,7 @@ class Consensus {
   /// Notes the verdicts on a key frame. @pre frames come in the order of time
   void note(const KeyFrame& frame);
 
-  /// Makes dynamic what stands in the frame, and goes in three fifths of the frames around that
+  /// Makes dynamic what stands in the frame, and goes in seven tenths of the frames around that
   /// have its track there: six at least, one after it among them. A part that was found to stand is
   /// looked for as its instance, with all parts. A frame in which something else stands there says
   /// that it stands. Forgets what no later frame asks for.
