@@ -70,7 +70,8 @@ struct DynamicConfig {
     v.number("dphi_v", s.dphi_v, 0.1, 5.0, "deg", "visibility: azimuth bin");
     v.numbers("times", s.times, 0.01, 100.0, "s", "key frames are compared over these times ...");
     v.numbers("ways", s.ways, 0.1, 1000.0, "m", "... and these ways, both before and after");
-    v.integer("window", s.window, 2, 1000, "key frames", "sliding window; a decision comes up to five later");
+    v.integer("window", s.window, 2, 1000, "key frames",
+              "sliding window; a decision comes up to five later");
     v.choice("semi_static", s.semi_static, kSemiStatic,
              "what stood for a while and moved before or after: goes, or stays while it stands");
     v.number("min_quality", s.min_quality, 0.0, 1.0, "",
