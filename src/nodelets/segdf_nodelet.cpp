@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <future>
 #include <utility>
+#include <vector>
 
 #include <nodelet/detail/callback_queue.h>
 #include <pluginlib/class_list_macros.hpp>
@@ -72,17 +73,14 @@ void SegdfNodelet::onInit() {
   }
 }
 
-void SegdfNodelet::keepCallbackQueues() {
-  using nodelet::detail::CallbackQueue;
-  for (ros::CallbackQueueInterface* queue : {&getSTCallbackQueue(), &getMTCallbackQueue()}) {
-    if (auto* const managed = dynamic_cast<CallbackQueue*>(queue)) {
-      callback_queues_.emplace_back(managed->shared_from_this());
-    }
+void SegdfNodelet::keepCallbackQueue() {
+  if (auto* const queue = dynamic_cast<nodelet::detail::CallbackQueue*>(&getSTCallbackQueue())) {
+    callback_queue_ = queue->shared_from_this();
   }
 }
 
 void SegdfNodelet::start() {
-  keepCallbackQueues();
+  keepCallbackQueue();
   ros::NodeHandle& node = getPrivateNodeHandle();
   const PrivateParameters parameters = readParameters(node.getNamespace());
   const std::string cloud_topic = getNodeHandle().resolveName("cloud");

@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <boost/shared_ptr.hpp>
 #include <dynamic_reconfigure/server.h>
@@ -63,11 +62,11 @@ class SegdfNodelet : public nodelet::Nodelet {
   std::string inWorker(std::function<std::string()> work);
   std::string saveMap(const std::string& destination, double resolution);
 
-  void keepCallbackQueues();
+  void keepCallbackQueue();
 
-  /// The manager frees them when it unloads the nodelet, which a callback at hand may outlive: the
-  /// nodelet then ends in that callback's thread, and takes its callbacks out of them.
-  std::vector<boost::shared_ptr<ros::CallbackQueueInterface>> callback_queues_;
+  /// The manager frees it when it unloads the nodelet, which a callback at hand may outlive: the
+  /// nodelet then ends in that callback's thread, and takes its callbacks out of it.
+  boost::shared_ptr<ros::CallbackQueueInterface> callback_queue_;
   Ledger ledger_;
 
   // Goes from the end: nothing comes in while the worker stops. It is there as long as the outputs,
