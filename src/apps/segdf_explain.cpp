@@ -24,6 +24,8 @@ std::string sentence(const segdf::EvidenceRow& row) {
   if (row.reason == "association") return "literal mode, by neighbours and occupancy";
   if (row.reason == "long_look")
     return "one clear look saw through it, from long before or with few to compare; " + votes;
+  if (row.reason == "departure")
+    return "went on steadily to another place, and where it was is empty; " + votes;
   if (row.reason == "restored")
     return "was restored, since hardly another member of its track moves; " + votes;
   if (row.reason == "track") return "goes with its track, which moves; " + votes;

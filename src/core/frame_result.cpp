@@ -27,6 +27,8 @@ std::string toString(Reason reason) {
       return "votes";
     case Reason::kLongLook:
       return "long_look";
+    case Reason::kDeparture:
+      return "departure";
     case Reason::kTrack:
       return "track";
     case Reason::kRestored:

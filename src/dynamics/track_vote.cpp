@@ -47,8 +47,8 @@ bool hasKeptPart(const KeyFrame& frame, std::size_t segment) {
 bool provesMotion(const KeyFrame& frame, std::size_t segment) {
   const Instance& instance = frame.instances[segment];
   const bool car_sized = frame.seg.segments[segment].box.size.z() < kHighestCar;
-  return instance.dynamic && instance.reason == Reason::kVotes &&
-         !(car_sized && hasKeptPart(frame, segment));
+  const bool by_votes = instance.reason == Reason::kVotes || instance.reason == Reason::kDeparture;
+  return instance.dynamic && by_votes && !(car_sized && hasKeptPart(frame, segment));
 }
 
 /// Merges proofs, one for each scan, and forgets those in the middle when there are too many.

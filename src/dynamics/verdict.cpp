@@ -23,8 +23,10 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
   Verdict verdict;
   std::uint32_t far = 0;
   double best_far = 0.0;
+  bool left = false;
   for (const PairVote& vote : votes) {
     if (!vote.informative) continue;
+    left = left || vote.departure;
     const auto share = static_cast<double>(vote.freeShare());
     ++verdict.pairs;
     verdict.dynamic_votes += isSeenThrough(vote, config) ? 1 : 0;
@@ -41,6 +43,10 @@ Verdict judgeVotes(const std::vector<PairVote>& votes,
     verdict.needed = std::max(verdict.needed, (verdict.static_votes + 1) / 2);
   verdict.dynamic = verdict.dynamic_votes >= verdict.needed;
   if (verdict.pairs > 0) verdict.reason = Reason::kVotes;
+  if (!verdict.dynamic && left) {
+    verdict.dynamic = true;
+    verdict.reason = Reason::kDeparture;
+  }
   if (!verdict.dynamic && far < least && best_far >= config.f_single) {
     verdict.needed = 1;
     verdict.dynamic = true;

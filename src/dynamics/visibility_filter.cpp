@@ -58,14 +58,15 @@ void VisibilityFilter::observe(const Window& all) {
   newest.evidence->way = previous.evidence->way +
                          (newest.scan.pose.translation() - previous.scan.pose.translation()).norm();
   newest.evidence->step = newest.evidence->time - previous.evidence->time;
-  compare(window);
+  const std::vector<ComparedPair> pairs = compare(window);
   // After the comparison: that one left its place and another came is what links them.
   passOnIds({window.begin(), window.end() - 1}, newest, overlaps, config_.df, ids_);
+  noteDepartures(window, pairs);
   if (remembers()) places_.look(newest);
   for (; isOutOfReach(window, config_.df); window.erase(window.begin())) judge(window, 0);
 }
 
-void VisibilityFilter::compare(const Window& window) {
+std::vector<ComparedPair> VisibilityFilter::compare(const Window& window) {
   KeyFrame& newest = *window.back();
   const std::vector<std::size_t> baselines = selectBaselines(window, config_.df);
   std::vector<PairPose> poses(baselines.size());
@@ -74,12 +75,15 @@ void VisibilityFilter::compare(const Window& window) {
     poses[k] = refinePair(older.scan.pose.inverse() * newest.scan.pose,
                           newest.evidence->registration_points, older.evidence->planes);
   });
+  std::vector<ComparedPair> pairs;
   for (std::size_t k = 0; k < baselines.size(); ++k) {
     if (poses[k].quality < config_.df.min_quality) continue;
     KeyFrame& older = *window[baselines[k]];
     gatherEvidence(newest, older, poses[k].to_T_from, config_.df, threads_);
     gatherEvidence(older, newest, poses[k].to_T_from.inverse(), config_.df, threads_);
+    pairs.push_back({baselines[k], poses[k].to_T_from});
   }
+  return pairs;
 }
 
 void VisibilityFilter::judge(const Window& window, std::size_t position) {

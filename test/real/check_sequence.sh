@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Filters one real sequence on 1 and 2 threads, compares the labels, and scores them:
-#   check_sequence.sh SEQUENCE SEGDF_OFFLINE SEGDF_EVALUATE WORK_DIR RATE MODE SA DA PARKED_SA
-# The last three are floors. Exit 77 means skipped.
+#   check_sequence.sh SEQUENCE SEGDF_OFFLINE SEGDF_EVALUATE WORK_DIR RATE MODE SA DA PARKED_SA [VARIATION]
+# SA, DA and PARKED_SA are floors; VARIATION is one of vary_sequence.py. Exit 77 means skipped.
 set -euo pipefail
-sequence=$1 offline=$2 evaluate=$3 work=$4 rate=$5 mode=$6
+sequence=$1 offline=$2 evaluate=$3 work=$4 rate=$5 mode=$6 variation=${10:-}
 
 drive="${SEGDF_DATA:-}/$sequence"
 if [ -z "${SEGDF_DATA:-}" ] || [ ! -d "$drive/velodyne" ]; then
@@ -13,6 +13,10 @@ fi
 
 rm -rf "$work"
 mkdir -p "$work"
+if [ -n "$variation" ]; then
+  python3 "$(dirname "$0")/vary_sequence.py" "$drive" "$work/drive" "$variation"
+  drive="$work/drive"
+fi
 run() { "$offline" --kitti "$drive" --mode "$mode" --rate "$rate" --threads "$1" --output "$work/$1"; }
 run 1
 run 2 2>/dev/null

@@ -30,6 +30,7 @@ enum class Reason : std::uint8_t {
   kAssociation,  ///< literal mode: neighbours and occupancy
   kVotes,        ///< enough, or not enough, frames saw through it
   kLongLook,     ///< one clear vote: where there are few (the ends of a drive), or of long before
+  kDeparture,    ///< it is elsewhere, and where it was is empty
   kTrack,        ///< its track moves
   kRestored,     ///< the votes made it dynamic, but hardly any other member of its track
   kSplit,        ///< the moved part of a standing instance
@@ -38,10 +39,10 @@ enum class Reason : std::uint8_t {
   kConsensus,    ///< most key frames around it remove what is in its place
   kLeft,         ///< it stood, and later scans saw through its place (Revocation)
 };
-constexpr std::size_t kReasons = 11;
+constexpr std::size_t kReasons = 12;
 
-/// Lower-case name: "no_evidence", "association", "votes", "long_look", "track", "restored",
-/// "split", "kept", "enclosed", "consensus", "left".
+/// Lower-case name: "no_evidence", "association", "votes", "long_look", "departure", "track",
+/// "restored", "split", "kept", "enclosed", "consensus", "left".
 std::string toString(Reason reason);
 
 /// What another key frame says of an instance.

@@ -29,6 +29,7 @@ struct PairVote {
   std::uint32_t free = 0;    ///< points seen through
   std::uint32_t hit = 0;     ///< points found again
   bool informative = false;  ///< enough points were seen
+  bool departure = false;    ///< not seen through, but empty, since its instance is elsewhere
 
   /// F, 0 when nothing was seen.
   float freeShare() const {

@@ -22,9 +22,9 @@ struct Verdict {
 
 /// Dynamic iff at least max(df.votes, df.vote_share of the informative pairs) have F >= df.f_dyn;
 /// of what by its class cannot move, half as many as found it again besides: edges of crowns and of
-/// walls are seen through by some. Where fewer than df.votes informative pairs are df.keep_delay or
-/// more apart (the ends of a drive, a short sight), iff one of these has F >= df.f_single. No
-/// informative pair: static.
+/// walls are seen through by some. A departure suffices. Where fewer than df.votes informative
+/// pairs are df.keep_delay or more apart (the ends of a drive, a short sight), iff one of these has
+/// F >= df.f_single. No informative pair: static.
 Verdict judgeVotes(const std::vector<PairVote>& votes,
                    ObjectClass object_class,
                    const DynamicConfig& config);

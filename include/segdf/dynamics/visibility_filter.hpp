@@ -6,6 +6,7 @@
 
 #include "segdf/core/config.hpp"
 #include "segdf/dynamics/consensus.hpp"
+#include "segdf/dynamics/departure.hpp"
 #include "segdf/dynamics/dynamic_filter.hpp"
 #include "segdf/dynamics/place_memory.hpp"
 #include "segdf/dynamics/track_vote.hpp"
@@ -28,7 +29,8 @@ class VisibilityFilter : public DynamicFilter {
   std::vector<Revocation> takeRevocations() override { return places_.takeRevocations(); }
 
  private:
-  void compare(const Window& window);
+  /// The newest frame with older ones. @return pairs whose poses fit
+  std::vector<ComparedPair> compare(const Window& window);
   /// By its own evidence, and by what is known of its tracks.
   void judge(const Window& window, std::size_t position);
   void judgeByVotes(KeyFrame& frame) const;
