@@ -92,7 +92,7 @@ bool isEmpty(const View& view, const KeyFrame& other, const Pose& other_T_view) 
 }
 
 /// Lets the frame that has `now` vote on `view`.
-void vote(const View& view, const View& now, const Pose& now_T_view) {
+void voteOn(const View& view, const View& now, const Pose& now_T_view) {
   const auto range = static_cast<double>(now.segment().box.center.norm());
   const Eigen::Vector3d place = now_T_view * view.segment().box.center.cast<double>();
   if (place.norm() > kFarther * range || !isEmpty(view, *now.frame, now_T_view)) return;
@@ -125,8 +125,8 @@ void noteDepartures(const Window& window, const std::vector<ComparedPair>& pairs
       const auto now = views.find(then.id());
       if (now == views.end() || !areApart(then, now->second)) continue;
       if (!isSteady(window, pair.older, then, now->second)) continue;
-      vote(then, now->second, pair.older_T_newest.inverse());
-      vote(now->second, then, pair.older_T_newest);
+      voteOn(then, now->second, pair.older_T_newest.inverse());
+      voteOn(now->second, then, pair.older_T_newest);
     }
   }
 }
