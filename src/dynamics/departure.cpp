@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kLeastPoints = 15;  // fewer have no size
 // What lies lower is seen where a ray meets it, and that goes along with the sensor.
-constexpr float kLeastHeight = 0.5F;  // metres
-constexpr double kLeastWay = 1.0;     // metres
-constexpr double kOverlap = 0.5;      // metres of the greater length that the places may share
-constexpr std::size_t kBetween = 4;   // frames between the two that are looked at
-constexpr double kOffWay = 0.25;      // of the way that these may be off it
-constexpr double kFarther = 1.1;      // of the range: what is seen there is seen here
-constexpr double kReturned = 0.05;    // share of the places, by chance
+constexpr float kLeastTop = 0.5F;    // metres above the ground
+constexpr double kLeastWay = 1.0;    // metres
+constexpr double kOverlap = 0.5;     // metres of the greater length that the places may share
+constexpr std::size_t kBetween = 4;  // frames between the two that are looked at
+constexpr double kOffWay = 0.25;     // of the way that these may be off it
+constexpr double kFarther = 1.1;     // of the range: what is seen there is seen here
+constexpr double kReturned = 0.05;   // share of the places, by chance
 // Of the places: rays that pass before the lower ones end on the road.
 constexpr double kHidden = 0.6;
 
@@ -40,7 +40,7 @@ struct View {
 
 bool mayMove(const View& view) {
   return view.segment().points.size() >= kLeastPoints && isTested(view.segment().object_class) &&
-         isMoverSized(view.size()) && view.size().z() >= kLeastHeight;
+         isMoverSized(view.size()) && view.segment().features[Feature::kTop] >= kLeastTop;
 }
 
 /// True when the two may be one object in two places.

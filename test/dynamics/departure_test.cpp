@@ -139,7 +139,7 @@ TEST_F(DepartureTest, WhatIsLowGoesAlongWithTheRaysThatMeetIt) {
   see(drivesBy);
   for (const auto& frame : frames_) {
     frame->evidence->votes.assign(frame->instances.size(), {});
-    for (Segment& segment : frame->seg.segments) segment.box.size.z() = 0.3F;
+    for (Segment& segment : frame->seg.segments) segment.features[Feature::kTop] = 0.3F;
   }
   noteDepartures(window_, {{0, Pose::Identity()}});
   EXPECT_TRUE(firstVotes().empty());
