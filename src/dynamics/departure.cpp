@@ -7,6 +7,7 @@
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/frame_segments.hpp"
 #include "segdf/dynamics/size_match.hpp"
 
 namespace segdf {
@@ -33,9 +34,7 @@ struct View {
   const Segment& segment() const { return frame->seg.segments[index]; }
   const Eigen::Vector3f& size() const { return segment().box.size; }
   std::uint32_t id() const { return frame->instances[index].id; }
-  Eigen::Vector2d center() const {
-    return (frame->scan.pose * segment().box.center.cast<double>()).head<2>();
-  }
+  Eigen::Vector2d center() const { return centerOf(*frame, index).head<2>(); }
 };
 
 bool mayMove(const View& view) {
@@ -43,9 +42,9 @@ bool mayMove(const View& view) {
          isMoverSized(view.size()) && view.segment().features[Feature::kTop] >= kLeastTop;
 }
 
-/// True when the two may be one object in two places.
+/// True when what may move may be one object in two places.
 bool areApart(const View& a, const View& b) {
-  if (!mayMove(a) || !mayMove(b) || !isSameSize(a.size(), b.size())) return false;
+  if (!isSameSize(a.size(), b.size())) return false;
   const auto length = static_cast<double>(std::max(a.size().x(), b.size().x()));
   return (b.center() - a.center()).norm() >= std::max(kLeastWay, length - kOverlap);
 }
@@ -122,6 +121,7 @@ void noteDepartures(const Window& window, const std::vector<ComparedPair>& pairs
     const KeyFrame& older = *window[pair.older];
     for (std::size_t s = 0; s < older.instances.size(); ++s) {
       const View then{&older, s};
+      if (!mayMove(then)) continue;
       const auto now = views.find(then.id());
       if (now == views.end() || !areApart(then, now->second)) continue;
       if (!isSteady(window, pair.older, then, now->second)) continue;

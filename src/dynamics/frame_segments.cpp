@@ -37,6 +37,10 @@ void describeAndClassify(KeyFrame& frame, const ClassConfig& config, int threads
   });
 }
 
+Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
+  return frame.scan.pose * frame.seg.segments[segment].box.center.cast<double>();
+}
+
 std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame,
                                            const std::vector<std::uint32_t>& points) {
   std::vector<Eigen::Vector2f> places;

@@ -99,10 +99,6 @@ std::vector<Link> linksOf(const KeyFrame& from,
   return links;
 }
 
-Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment) {
-  return frame.scan.pose * frame.seg.segments[segment].box.center.cast<double>();
-}
-
 double secondsBetween(const KeyFrame& from, const KeyFrame& to) {
   return to.scan.stampSeconds() - from.scan.stampSeconds();
 }

@@ -6,6 +6,7 @@
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/frame_segments.hpp"
 #include "segdf/dynamics/size_match.hpp"
 #include "segdf/dynamics/verdict.hpp"
 
@@ -97,8 +98,7 @@ bool isFoundBeyond(const PairVote& vote,
 }  // namespace
 
 MotionProof proofOf(const KeyFrame& frame, std::size_t segment) {
-  const UprightBox& box = frame.seg.segments[segment].box;
-  return {frame.index, box.size, frame.scan.pose * box.center.cast<double>(),
+  return {frame.index, frame.seg.segments[segment].box.size, centerOf(frame, segment),
           std::min(frame.evidence->step, kLongestStep)};
 }
 

@@ -8,6 +8,7 @@
 
 #include "segdf/classification/classifier.hpp"
 #include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/frame_segments.hpp"
 #include "segdf/dynamics/pose_refinement.hpp"
 #include "segdf/dynamics/size_match.hpp"
 #include "segdf/dynamics/verdict.hpp"
@@ -107,7 +108,7 @@ void PlaceMemory::remember(const KeyFrame& frame,
                            std::size_t segment,
                            std::shared_ptr<const View>& view) {
   const Segment& seen = frame.seg.segments[segment];
-  const Eigen::Vector3d center = frame.scan.pose * seen.box.center.cast<double>();
+  const Eigen::Vector3d center = centerOf(frame, segment);
   Stand* stand = standOf(frame, segment, center);
   const bool better = stand == nullptr || static_cast<double>(seen.points.size()) >=
                                               kMuchBetter * static_cast<double>(stand->points);

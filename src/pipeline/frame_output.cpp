@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "segdf/dynamics/evidence.hpp"
+#include "segdf/dynamics/frame_segments.hpp"
 
 namespace segdf {
 
@@ -56,7 +57,7 @@ InstanceObservation observationOf(const KeyFrame& frame, std::size_t s) {
   seen.needed_votes = instance.needed_votes;
   seen.reason = instance.reason;
   seen.looks = looksAt(frame, s);
-  seen.center = pose * segment.box.center.cast<double>();
+  seen.center = centerOf(frame, s);
   seen.size = segment.box.size.cast<double>();
   const auto yaw = static_cast<double>(segment.box.yaw);
   const Eigen::Vector3d axis = pose.linear() * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0.0);

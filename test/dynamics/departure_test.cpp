@@ -23,31 +23,35 @@ constexpr std::size_t kScans = 11;
 constexpr double kStep = 0.1;     // seconds
 constexpr double kSpeed = 5.5;    // m/s
 constexpr double kAcross = 30.0;  // metres ahead
-constexpr double kRoadEnd =
-    24.0;  // metres ahead; nothing returns from beyond but what stands there
+// Nothing returns from beyond but what stands there.
+constexpr double kRoadEnd = 24.0;  // metres ahead
 
 /// A car and nothing behind it, as the same sensor, which stands, sees it in a second.
 class DepartureTest : public ::testing::Test {
  protected:
   using Way = std::function<Eigen::Vector2d(double)>;
 
-  /// @param way where the car is at which second @param hides before the car, in the last scan
-  void see(const Way& way, const std::vector<test::Box>& hides = {}) {
+  /// @param way where the car is at which second @param late stands in the last scan, too
+  void see(const Way& way, const std::vector<test::Box>& late = {}) {
     for (std::size_t k = 0; k < kScans; ++k) {
       const double seconds = kStep * static_cast<double>(k);
       const Eigen::Vector2d place = way(seconds);
       test::BoxWorld world;
       world.add(place.x(), place.y(), 1.8, 4.2, 1.5);
-      for (const test::Box& box : hides) {
-        if (k + 1 < kScans) break;
-        world.add(box.center.x(), box.center.y(), box.size.x(), box.size.y(), box.size.z());
-      }
-      add(withoutSky(world.scan(0.0, 0.0, 0.0, std::llround(1e9 * seconds) + 1)), place);
+      if (k + 1 == kScans) addAll(late, world);
+      add(withoutFarRoad(world.scan(0.0, 0.0, 0.0, std::llround(1e9 * seconds) + 1)), place);
     }
     noteDepartures(window_, {{0, Pose::Identity()}});
   }
 
-  static Scan withoutSky(Scan scan) {
+  static void addAll(const std::vector<test::Box>& boxes, test::BoxWorld& world) {
+    for (const test::Box& box : boxes) {
+      world.add(box.center.x(), box.center.y(), box.size.x(), box.size.y(), box.size.z());
+    }
+  }
+
+  /// What of the road lies far away returns nothing.
+  static Scan withoutFarRoad(Scan scan) {
     const auto is_far_road = [](const Point& p) {
       return static_cast<double>(p.x) > kRoadEnd && p.z < -1.6F;
     };

@@ -26,7 +26,7 @@ inline std::size_t segmentAt(const KeyFrame& frame, double x, double y) {
   std::size_t best = 0;
   double best_distance = 1e9;
   for (std::size_t s = 0; s < frame.seg.segments.size(); ++s) {
-    const Eigen::Vector3d c = frame.scan.pose * frame.seg.segments[s].box.center.cast<double>();
+    const Eigen::Vector3d c = centerOf(frame, s);
     const double distance = std::hypot(c.x() - x, c.y() - y);
     if (distance >= best_distance) continue;
     best_distance = distance;

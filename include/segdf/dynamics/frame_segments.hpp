@@ -16,6 +16,9 @@ void describe(KeyFrame& frame, Segment& segment);
 /// Box, features and class of every segment.
 void describeAndClassify(KeyFrame& frame, const ClassConfig& config, int threads);
 
+/// Centre of a segment's box, map frame, metres.
+Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment);
+
 /// Places of points seen from above, sensor frame, metres.
 std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame,
                                            const std::vector<std::uint32_t>& points);
