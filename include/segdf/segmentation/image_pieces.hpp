@@ -59,6 +59,7 @@ class ImagePieces {
   std::vector<std::int32_t> cluster_;
   UnionFind pieces_;
   std::vector<ImageLink> next_links_;        ///< from `jump` up to `next_jump`
+  std::vector<std::uint32_t> members_;       ///< the points in clusters, ascending
   std::vector<std::uint32_t> root_;          ///< of each point
   std::vector<std::uint32_t> size_;          ///< of each root's piece
   std::vector<std::uint32_t> cluster_size_;  ///< points
