@@ -23,20 +23,34 @@ constexpr float kRowLevels = 256.0F;      // of a row, told apart
 constexpr std::uint8_t kTopLevel = 255;
 constexpr int kEnoughBins = 3;  // that are not empty, for FREE beside an empty own bin
 
-// Bins that are looked at together: as many as fit the registers of every processor.
-constexpr std::size_t kLanes = 8;
-using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
-constexpr Lanes kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+// Bins that are looked at together, as many as fit the registers of every processor; each fills two
+// lanes.
+constexpr std::size_t kBins = 4;
+using Lanes [[gnu::vector_size(4 * kBins)]] = std::int16_t;
+constexpr Lanes kBinNumbers{0, 0, 1, 1, 2, 2, 3, 3};
+constexpr Lanes kNearestLanes{-1, 0, -1, 0, -1, 0, -1, 0};
 
-Lanes load(const std::int16_t* bins) {
+Lanes load(const std::int16_t* lane) {
   Lanes lanes;
-  std::memcpy(&lanes, bins, sizeof(lanes));
+  std::memcpy(&lanes, lane, sizeof(lanes));
   return lanes;
+}
+
+/// Of four bins, each.
+Lanes repeated(std::int16_t even, std::int16_t odd) {
+  const Lanes lanes{even, odd, even, odd, even, odd, even, odd};
+  return lanes;
+}
+
+bool isAnySet(const Lanes& lanes) {
+  std::array<std::uint64_t, sizeof(Lanes) / sizeof(std::uint64_t)> words{};
+  std::memcpy(words.data(), &lanes, sizeof(lanes));
+  return std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
 }
 
 int sumOf(const Lanes& lanes) {
   int sum = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) sum += lanes[k];
+  for (std::size_t k = 0; k < 2 * kBins; ++k) sum += lanes[k];
   return sum;
 }
 
@@ -96,6 +110,8 @@ VisibilityImage::VisibilityImage(const std::vector<Point>& points,
   prepareLevels();
 }
 
+bool VisibilityImage::isSeen(std::size_t bin) const { return nearestOf(bounds_, bin) != kEmpty; }
+
 VisibilityImage::Window VisibilityImage::windowOf(int columns) const {
   const float across = static_cast<float>(columns) * column_step_;
   return {static_cast<int>(std::ceil(across / row_step_)), columns};
@@ -113,9 +129,10 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
   if (highest < lowest_) return;
   rows_ = static_cast<int>((highest - lowest_) / row_step_) + 1;
   // The last bins are loaded together with what comes after them.
-  nearest_.assign(index(rows_, 0) + kLanes, kEmpty);
-  farthest_.assign(nearest_.size(), 0);
-  lowest_level_.assign(nearest_.size(), kTopLevel);
+  const std::size_t bins = index(rows_, 0) + kBins;
+  bounds_.assign(2 * bins, 0);
+  for (std::size_t bin = 0; bin < bins; ++bin) bounds_[2 * bin] = kEmpty;
+  lowest_level_.assign(bins, kTopLevel);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (roles[i] == PointRole::kUnused) continue;
     const float place = (seen.elevation[i] - lowest_) / row_step_;
@@ -123,56 +140,57 @@ void VisibilityImage::fill(const std::vector<Point>& points, const std::vector<P
     const int column = static_cast<int>((seen.azimuth[i] + kPi) / column_step_);
     const auto range = static_cast<Centimetres>(centimetres(seen.range[i]));
     const std::size_t bin = index(std::min(row, rows_ - 1), std::min(column, columns_ - 1));
-    nearest_[bin] = std::min(nearest_[bin], range);
-    farthest_[bin] = std::max(farthest_[bin], range);
+    Centimetres* bounds = bounds_.data() + 2 * bin;
+    bounds[0] = std::min(bounds[0], range);
+    bounds[1] = std::min(bounds[1], static_cast<Centimetres>(-range));
     lowest_level_[bin] = std::min(lowest_level_[bin], levelOf(place, row));
   }
-  const auto wrap = [this](auto& image) {
-    for (int row = 0; row < rows_; ++row) {
-      for (int k = 1; k <= pad_; ++k) {
-        image[index(row, -k)] = image[index(row, columns_ - k)];
-        image[index(row, columns_ - 1 + k)] = image[index(row, k - 1)];
-      }
-    }
+  wrap();
+}
+
+void VisibilityImage::wrap() {
+  const auto copy = [this](std::size_t from, std::size_t to) {
+    std::copy_n(bounds_.begin() + static_cast<std::ptrdiff_t>(2 * from), 2,
+                bounds_.begin() + static_cast<std::ptrdiff_t>(2 * to));
+    lowest_level_[to] = lowest_level_[from];
   };
-  wrap(nearest_);
-  wrap(farthest_);
-  wrap(lowest_level_);
+  for (int row = 0; row < rows_; ++row) {
+    for (int k = 1; k <= pad_; ++k) {
+      copy(index(row, columns_ - k), index(row, -k));
+      copy(index(row, k - 1), index(row, columns_ - 1 + k));
+    }
+  }
 }
 
 void VisibilityImage::prepareLevels() {
-  const auto lesser = [](Centimetres a, Centimetres b) { return std::min(a, b); };
-  const auto greater = [](Centimetres a, Centimetres b) { return std::max(a, b); };
   int columns = 0;
   for (Level& level : levels_) {
     level.window = windowOf(++columns);
-    level.nearest = around(nearest_, level.window, lesser);
-    level.farthest = around(farthest_, level.window, greater);
+    level.bounds = boundsAround(level.window);
   }
 }
 
-/// What `choose` makes of the window around each bin: first along the rows, then across them.
-template <class Choose>
-std::vector<VisibilityImage::Centimetres> VisibilityImage::around(
-    const std::vector<Centimetres>& image, const Window& window, const Choose& choose) const {
-  std::vector<Centimetres> along = image;
-  const auto stride = static_cast<std::size_t>(stride_);
-  const auto reach = static_cast<std::size_t>(std::min(window.columns, pad_));
+/// First along the rows, then across them.
+VisibilityImage::Bounds VisibilityImage::boundsAround(const Window& window) const {
+  const auto least = [](Centimetres a, Centimetres b) { return std::min(a, b); };
+  Bounds along = bounds_;
+  const auto length = 2 * static_cast<std::size_t>(stride_);
+  const auto reach = 2 * static_cast<std::size_t>(std::min(window.columns, pad_));
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {
-    const Centimetres* in = image.data() + row * stride;
-    Centimetres* out = along.data() + row * stride;
-    for (std::size_t shift = 0; shift <= 2 * reach; ++shift) {
-      for (std::size_t c = reach; c + reach < stride; ++c) {
-        out[c] = choose(out[c], in[c + shift - reach]);
+    const Centimetres* in = bounds_.data() + row * length;
+    Centimetres* out = along.data() + row * length;
+    for (std::size_t shift = 0; shift <= 2 * reach; shift += 2) {
+      for (std::size_t c = reach; c + reach < length; ++c) {
+        out[c] = least(out[c], in[c + shift - reach]);
       }
     }
   }
-  std::vector<Centimetres> result = along;
+  Bounds result = along;
   for (int row = 0; row < rows_; ++row) {
-    Centimetres* out = result.data() + static_cast<std::size_t>(row) * stride;
+    Centimetres* out = result.data() + static_cast<std::size_t>(row) * length;
     for (int r = std::max(0, row - window.rows); r <= std::min(rows_ - 1, row + window.rows); ++r) {
-      const Centimetres* in = along.data() + static_cast<std::size_t>(r) * stride;
-      for (std::size_t c = 0; c < stride; ++c) out[c] = choose(out[c], in[c]);
+      const Centimetres* in = along.data() + static_cast<std::size_t>(r) * length;
+      for (std::size_t c = 0; c < length; ++c) out[c] = least(out[c], in[c]);
     }
   }
   return result;
@@ -230,13 +248,10 @@ void VisibilityImage::fetch(const Block& block, std::size_t k) const {
   if (!isInside(block, k)) return;
   const Bin bin = binOf(block, k);
   const std::size_t own = index(bin.row, bin.column);
-  __builtin_prefetch(nearest_.data() + own);
-  __builtin_prefetch(farthest_.data() + own);
+  __builtin_prefetch(bounds_.data() + 2 * own);
   const int columns = columnsOf(block, k);
   if (columns > kLevels) return;
-  const Level& level = levels_[static_cast<std::size_t>(columns - 1)];
-  __builtin_prefetch(level.nearest.data() + own);
-  __builtin_prefetch(level.farthest.data() + own);
+  __builtin_prefetch(levels_[static_cast<std::size_t>(columns - 1)].bounds.data() + 2 * own);
 }
 
 VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) const {
@@ -248,18 +263,19 @@ VolumetricState VisibilityImage::stateOf(const Block& block, std::size_t k) cons
   const int far = centimetres(range + tolerance);
 
   const std::size_t own = index(bin.row, bin.column);
-  const auto within = [near, far](Centimetres value) { return value >= near && value <= far; };
-  if (within(nearest_[own]) || within(farthest_[own])) return VolumetricState::kHit;
+  const auto within = [near, far](int value) { return value >= near && value <= far; };
+  if (within(nearestOf(bounds_, own)) || within(farthestOf(bounds_, own))) {
+    return VolumetricState::kHit;
+  }
   const int columns = columnsOf(block, k);
   if (columns > kLevels) return search(bin, windowOf(columns), near, far);
   // Most answers are found here: nothing is around, or all of it begins behind the place, or all of
   // it ends before.
   const Level& level = levels_[static_cast<std::size_t>(columns - 1)];
-  if (level.nearest[own] == kEmpty) return VolumetricState::kUnknown;
-  if (level.nearest[own] > far && nearest_[own] != kEmpty) {
-    return stateOfPassed(bin, level.window);
-  }
-  if (level.farthest[own] < near) return VolumetricState::kOccluded;
+  const int nearest = nearestOf(level.bounds, own);
+  if (nearest == kEmpty) return VolumetricState::kUnknown;
+  if (nearest > far && isSeen(own)) return stateOfPassed(bin, level.window);
+  if (farthestOf(level.bounds, own) < near) return VolumetricState::kOccluded;
   return search(bin, level.window, near, far);
 }
 
@@ -271,11 +287,11 @@ VolumetricState VisibilityImage::stateOfPassed(const Bin& bin, const Window& win
 bool VisibilityImage::returnsBelow(const Bin& bin, const Window& window) const {
   for (int right = -window.columns; right <= window.columns; ++right) {
     const std::size_t beside = index(bin.row, bin.column + right);
-    if (nearest_[beside] != kEmpty && lowest_level_[beside] <= bin.level) return true;
+    if (isSeen(beside) && lowest_level_[beside] <= bin.level) return true;
   }
   for (int row = bin.row - 1; row >= std::max(0, bin.row - window.rows); --row) {
     for (int right = -window.columns; right <= window.columns; ++right) {
-      if (nearest_[index(row, bin.column + right)] != kEmpty) return true;
+      if (isSeen(index(row, bin.column + right))) return true;
     }
   }
   return false;
@@ -288,25 +304,27 @@ VolumetricState VisibilityImage::search(const Bin& bin,
   const std::size_t width = 2 * static_cast<std::size_t>(window.columns) + 1;
   const auto first = static_cast<std::int16_t>(near);
   const auto last = static_cast<std::int16_t>(far);
+  const auto minus = [](std::int16_t value) { return static_cast<std::int16_t>(-value); };
+  const Lanes least = repeated(first, minus(last));
+  const Lanes most = repeated(last, minus(first));
   Lanes seen{};
   Lanes behind{};
   Lanes before{};
   const auto hits = [&](int row) {
     const std::size_t corner = index(row, bin.column - window.columns);
     Lanes hit{};
-    for (std::size_t k = 0; k < width; k += kLanes) {
-      const Lanes nearest = load(nearest_.data() + corner + k);
-      const Lanes farthest = load(farthest_.data() + corner + k);
-      const Lanes filled =
-          (kLaneNumbers < static_cast<std::int16_t>(width - k)) & (nearest != kEmpty);
-      hit |= filled & (((nearest >= first) & (nearest <= last)) |
-                       ((farthest >= first) & (farthest <= last)));
+    for (std::size_t k = 0; k < width; k += kBins) {
+      const Lanes bounds = load(bounds_.data() + 2 * (corner + k));
+      const Lanes inside = kBinNumbers < static_cast<std::int16_t>(width - k);
+      const Lanes filled = inside & kNearestLanes & (bounds != kEmpty);
+      // An empty bin has neither bound there.
+      hit |= inside & (bounds >= least) & (bounds <= most);
       // A comparison that holds is -1.
       seen -= filled;
-      behind -= filled & (nearest > last);
-      before -= filled & (nearest < first);
+      behind -= filled & (bounds > last);
+      before -= filled & (bounds < first);
     }
-    return sumOf(hit) != 0;
+    return isAnySet(hit);
   };
   // From the middle outwards: what is found again is mostly found close by.
   if (hits(bin.row)) return VolumetricState::kHit;
@@ -315,7 +333,7 @@ VolumetricState VisibilityImage::search(const Bin& bin,
     if (bin.row + away < rows_ && hits(bin.row + away)) return VolumetricState::kHit;
   }
   const int bins = sumOf(seen);
-  const bool own = nearest_[index(bin.row, bin.column)] != kEmpty;
+  const bool own = isSeen(index(bin.row, bin.column));
   if (bins > 0 && sumOf(behind) == bins && (own || bins >= kEnoughBins)) {
     return stateOfPassed(bin, window);
   }

@@ -71,11 +71,14 @@ class VisibilityImage {
     int columns = 0;  ///< half, in bins
   };
 
-  /// The nearest and the farthest return in the window around each bin.
+  /// For each bin its nearest return and its farthest, that one negative: so the bounds of several
+  /// bins are the least of theirs, and lie side by side in memory, which the images are too large
+  /// to be kept near in.
+  using Bounds = std::vector<Centimetres>;
+  /// The bounds of the window around each bin.
   struct Level {
     Window window;
-    std::vector<Centimetres> nearest;
-    std::vector<Centimetres> farthest;
+    Bounds bounds;
   };
 
   Block project(const Eigen::Ref<const Eigen::MatrixX3f>& places,
@@ -92,11 +95,13 @@ class VisibilityImage {
   VolumetricState stateOf(const Block& block, std::size_t k) const;
   Window windowOf(int columns) const;
   void fill(const std::vector<Point>& points, const std::vector<PointRole>& roles);
+  /// Repeats columns at both sides.
+  void wrap();
   void prepareLevels();
-  template <class Choose>
-  std::vector<Centimetres> around(const std::vector<Centimetres>& image,
-                                  const Window& window,
-                                  const Choose& choose) const;
+  Bounds boundsAround(const Window& window) const;
+  static int nearestOf(const Bounds& bounds, std::size_t bin) { return bounds[2 * bin]; }
+  static int farthestOf(const Bounds& bounds, std::size_t bin) { return -bounds[2 * bin + 1]; }
+  bool isSeen(std::size_t bin) const;
   /// FREE when every ray around went past, unless all of these are above the place: UNKNOWN.
   VolumetricState stateOfPassed(const Bin& bin, const Window& window) const;
   bool returnsBelow(const Bin& bin, const Window& window) const;
@@ -116,8 +121,7 @@ class VisibilityImage {
   int columns_ = 0;
   int pad_ = 0;  // columns repeated on both sides, so that a window never wraps
   int stride_ = 0;
-  std::vector<Centimetres> nearest_;
-  std::vector<Centimetres> farthest_;
+  Bounds bounds_;
   std::vector<std::uint8_t> lowest_level_;  // of the returns in each bin
   std::array<Level, kLevels> levels_;
 };
