@@ -245,11 +245,11 @@ bool TrackBook::isDynamic(const KeyFrame& frame, std::size_t segment) {
   return last.dynamic;
 }
 
-std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& frame,
-                                                              const Window& window) {
+std::unordered_map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& frame,
+                                                                        const Window& window) {
   judged_.erase(judged_.begin(), judged_.lower_bound(window.front()->index));
   const Heirs heirs = heirsOf(frame, window);
-  std::map<std::uint32_t, Track> tracks;
+  std::unordered_map<std::uint32_t, Track> tracks;
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) tracks[frame.instances[s].id];
   for (const KeyFrame* other : window) {
     for (std::size_t s = 0; s < other->evidence->votes.size(); ++s) {
@@ -271,7 +271,7 @@ std::map<std::uint32_t, TrackBook::Track> TrackBook::tracksOf(const KeyFrame& fr
 void TrackBook::propagate(const Window& window, std::size_t position) {
   KeyFrame& frame = *window[position];
   inherit(frame);
-  const std::map<std::uint32_t, Track> tracks = tracksOf(frame, window);
+  const std::unordered_map<std::uint32_t, Track> tracks = tracksOf(frame, window);
   for (std::size_t s = 0; s < frame.evidence->votes.size(); ++s) {
     Instance& instance = frame.instances[s];
     const Track& track = tracks.at(instance.id);

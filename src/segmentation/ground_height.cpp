@@ -19,7 +19,8 @@ class HeightGrid {
  public:
   explicit HeightGrid(double reach)
       : side_(2 * static_cast<int>(std::ceil(reach / kCell)) + 1),
-        cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), kEmpty) {}
+        cells_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), kEmpty),
+        reached_(cells_.size(), 0) {}
 
   std::size_t size() const { return cells_.size(); }
   float operator[](std::size_t cell) const { return cells_[cell]; }
@@ -61,16 +62,16 @@ class HeightGrid {
     }
   }
 
-  /// Fills the cells around the last ones. @returns the newly filled, ascending
+  /// Fills the cells around the last ones. @returns the newly filled
   std::vector<std::size_t> grow(const std::vector<std::size_t>& last) {
     std::vector<std::size_t> fresh;
     for (std::size_t cell : last) {
       forEachAround(cell, [&](std::size_t around) {
-        if (std::isnan(cells_[around])) fresh.push_back(around);
+        if (!std::isnan(cells_[around]) || reached_[around] != 0) return;
+        reached_[around] = 1;
+        fresh.push_back(around);
       });
     }
-    std::sort(fresh.begin(), fresh.end());
-    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
     std::vector<float> heights;
     heights.reserve(fresh.size());
     for (std::size_t cell : fresh) heights.push_back(meanAround(cell));
@@ -91,6 +92,7 @@ class HeightGrid {
 
   int side_;
   std::vector<float> cells_;
+  std::vector<std::uint8_t> reached_;  ///< by filling
 };
 
 /// Median height of the ground points of each cell; the grid holds NaN where there is none.

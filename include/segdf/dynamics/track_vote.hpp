@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "segdf/core/config.hpp"
@@ -72,7 +73,7 @@ class TrackBook {
   /// and that were not there beside it for long and have not stood.
   std::uint32_t heirOf(const Past& ended, const KeyFrame& frame);
   /// Of the ids that a frame has.
-  std::map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
+  std::unordered_map<std::uint32_t, Track> tracksOf(const KeyFrame& frame, const Window& window);
   bool isDynamic(const KeyFrame& frame, std::size_t segment);
   /// Takes out what moved before the id passed on to another object.
   void forgetOthers(std::uint32_t id, MotionProofs& proofs) const;
