@@ -12,8 +12,9 @@ namespace segdf {
 
 namespace {
 
-constexpr std::size_t kLarge = 300;  // points
-constexpr double kJitter = 0.05;     // seconds
+constexpr std::size_t kLarge = 300;       // points
+constexpr std::size_t kVeryLarge = 1000;  // points
+constexpr double kJitter = 0.05;          // seconds
 
 // Places side by side of which every kStride-th is looked at first: a part that moved has several
 // of these from df.split_min on.
@@ -21,6 +22,11 @@ constexpr std::uint32_t kBlock = 64;
 constexpr std::uint32_t kStride = 4;
 constexpr std::uint32_t kEnoughPlaces = 32;  // of a segment, for some to speak for all
 constexpr std::uint32_t kMany = 256;         // the same, for what it touches in the next key frame
+
+/// One place for each voxel is enough.
+bool isCoarse(const Segment& segment) {
+  return segment.points.size() > (isTested(segment.object_class) ? kVeryLarge : kLarge);
+}
 
 /// Voxels by segment, those of no segment last: [begin[s], begin[s + 1]) of the list.
 std::vector<std::uint32_t> voxelsBySegment(const KeyFrame& frame,
@@ -63,26 +69,28 @@ using Places = Eigen::Ref<const Eigen::MatrixX3f>;
 
 using States = std::array<VolumetricState, kBlock>;
 
-/// States of up to kBlock places of a segment. Every kStride-th is looked at, and all of them only
-/// when one of these is seen through; else they are what the one before them is. Most of a scan
-/// stands.
-void lookAtSome(const VisibilityImage& image,
-                const Places& places,
-                const Eigen::Isometry3f& image_T_places,
-                States& states) {
-  constexpr Eigen::Index kMost = kBlock / kStride;
-  const Eigen::Index count = (places.rows() + kStride - 1) / kStride;
-  Eigen::Matrix<float, Eigen::Dynamic, 3, 0, kMost, 3> sample(count, 3);
-  for (Eigen::Index k = 0; k < count; ++k) sample.row(k) = places.row(k * kStride);
-  std::array<VolumetricState, kMost> seen{};
-  image.look(sample, image_T_places, seen.data());
-  if (std::find(seen.begin(), seen.end(), VolumetricState::kFree) != seen.end()) {
-    image.look(places, image_T_places, states.data());
-    return;
+/// States of up to kBlock places. @return false when none is FREE
+/// @param some every kStride-th is looked at, and all of them only when one of these is seen
+/// through; else they are what the one before them is. Most of a scan stands.
+bool lookAt(const VisibilityImage& image,
+            const Places& places,
+            bool some,
+            const Eigen::Isometry3f& image_T_places,
+            States& states) {
+  if (some) {
+    constexpr Eigen::Index kMost = kBlock / kStride;
+    const Eigen::Index count = (places.rows() + kStride - 1) / kStride;
+    Eigen::Matrix<float, Eigen::Dynamic, 3, 0, kMost, 3> sample(count, 3);
+    for (Eigen::Index k = 0; k < count; ++k) sample.row(k) = places.row(k * kStride);
+    std::array<VolumetricState, kMost> seen{};
+    image.look(sample, image_T_places, seen.data());
+    for (std::size_t k = 0; k < kMost; ++k) {
+      std::fill_n(states.begin() + k * kStride, kStride, seen[k]);
+    }
+    if (std::find(seen.begin(), seen.end(), VolumetricState::kFree) == seen.end()) return false;
   }
-  for (std::size_t k = 0; k < kMost; ++k) {
-    std::fill_n(states.begin() + k * kStride, kStride, seen[k]);
-  }
+  image.look(places, image_T_places, states.data());
+  return true;
 }
 
 /// Counts the answers `wanted` of so many places. @return points that these stand for
@@ -142,8 +150,7 @@ void listPlaces(KeyFrame& frame) {
   for (std::size_t group = 0; group + 1 < begin.size(); ++group) {
     evidence.begin.push_back(static_cast<std::uint32_t>(places.size()));
     const bool segment = group < frame.seg.segments.size();
-    const bool whole = segment && frame.seg.segments[group].points.size() > kLarge &&
-                       !isTested(frame.seg.segments[group].object_class);
+    const bool whole = segment && isCoarse(frame.seg.segments[group]);
     for (std::uint32_t k = begin[group]; k < begin[group + 1]; ++k) {
       addVoxel(frame.seg.voxels, order[k], whole, places, evidence);
     }
@@ -202,14 +209,12 @@ void gatherEvidence(KeyFrame& frame,
     for (std::uint32_t k = evidence.begin[group]; k < end; k += kBlock) {
       const std::uint32_t count = std::min(kBlock, end - k);
       const Places places = evidence.places.middleRows(k, count);
-      if (some) {
-        lookAtSome(image, places, image_T_frame, states);
-      } else {
-        image.look(places, image_T_frame, states.data());
-      }
+      const bool any_free = lookAt(image, places, some, image_T_frame, states);
       const std::uint32_t* first = evidence.first.data() + k;
-      vote.free +=
-          countAnswers(states, count, VolumetricState::kFree, first, evidence.free.data() + k);
+      if (any_free) {
+        vote.free +=
+            countAnswers(states, count, VolumetricState::kFree, first, evidence.free.data() + k);
+      }
       vote.hit += countAnswers(states, count, VolumetricState::kHit, first,
                                late ? evidence.hit.data() + k : early.data());
     }
