@@ -30,7 +30,7 @@ struct DynamicConfig {
   double margin = 0.15;
   double dtheta_v = 0.5;
   double dphi_v = 0.4;
-  std::array<double, 9> times{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 2.0, 3.0, 5.0};
+  std::array<double, 7> times{0.1, 0.3, 0.6, 1.0, 2.0, 3.0, 5.0};
   std::array<double, 7> ways{2.0, 4.0, 6.0, 10.0, 16.0, 24.0, 32.0};
   int window = 64;
   SemiStatic semi_static = SemiStatic::kRemove;
