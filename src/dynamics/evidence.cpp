@@ -12,8 +12,8 @@ namespace segdf {
 
 namespace {
 
-constexpr std::size_t kLarge = 300;       // points
-constexpr std::size_t kVeryLarge = 1000;  // points
+constexpr std::size_t kLarge = 300;       // points, of what cannot move
+constexpr std::size_t kVeryLarge = 1000;  // points, of what can: people and most cars have fewer
 constexpr double kJitter = 0.05;          // seconds
 
 // Places side by side of which every kStride-th is looked at first: a part that moved has several

@@ -46,10 +46,10 @@ struct FrameEvidence {
   PlaneMap planes;
   std::vector<Eigen::Vector3f> registration_points;
 
-  /// Places to look for in other frames, a row each, sensor frame, metres: every point of a segment
-  /// that can move, and of what is in no segment; of large segments (buildings, crowns) one point
-  /// for each curved voxel. Those of segment s are [begin[s], begin[s + 1]), those in no segment
-  /// come last.
+  /// Places to look for in other frames, a row each, sensor frame, metres: every point of a
+  /// segment, and of what is in no segment; of segments of more than 1000 points, or 300 where they
+  /// are classified as buildings or vegetation, one for each curved voxel. Those of segment s are
+  /// [begin[s], begin[s + 1]), those in no segment come last.
   Eigen::MatrixX3f places;
   std::vector<std::uint32_t> begin;
   /// The points that a place stands for: listed[first[k]] .. listed[first[k + 1] - 1].
