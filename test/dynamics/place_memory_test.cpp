@@ -19,12 +19,13 @@ constexpr std::size_t kLeaves = 45;         // scan before which the car drives 
 constexpr std::size_t kScans = 80;
 const Eigen::Vector2d kPlace(14.0, 5.0);
 
-/// Who waits in a street, with a window of 2 s, and sees a car that stands for 4.5 s and is gone
+/// Who waits in a street, with a window of 3.2 s, and sees a car that stands for 4.5 s and is gone
 /// then.
 class PlaceMemoryTest : public ::testing::Test {
  protected:
   PlaceMemoryTest() {
-    config_.df.window = 20;
+    // What stands was found again by three frames that are far enough in time: 1, 2 and 3 s later.
+    config_.df.window = 32;
     street_ = test::makeStreet();
     car_ = street_.add(kPlace.x(), kPlace.y(), 4.2, 1.8, 1.5);
     for (double x : {-12.0, 7.0, 21.0, 28.0})
