@@ -172,7 +172,6 @@ void VisibilityImage::prepareLevels() {
 
 /// First along the rows, then across them.
 VisibilityImage::Bounds VisibilityImage::boundsAround(const Window& window) const {
-  const auto least = [](Centimetres a, Centimetres b) { return std::min(a, b); };
   Bounds along = bounds_;
   const auto length = 2 * static_cast<std::size_t>(stride_);
   const auto reach = 2 * static_cast<std::size_t>(std::min(window.columns, pad_));
@@ -181,7 +180,7 @@ VisibilityImage::Bounds VisibilityImage::boundsAround(const Window& window) cons
     Centimetres* out = along.data() + row * length;
     for (std::size_t shift = 0; shift <= 2 * reach; shift += 2) {
       for (std::size_t c = reach; c + reach < length; ++c) {
-        out[c] = least(out[c], in[c + shift - reach]);
+        out[c] = std::min(out[c], in[c + shift - reach]);
       }
     }
   }
@@ -190,7 +189,7 @@ VisibilityImage::Bounds VisibilityImage::boundsAround(const Window& window) cons
     Centimetres* out = result.data() + static_cast<std::size_t>(row) * length;
     for (int r = std::max(0, row - window.rows); r <= std::min(rows_ - 1, row + window.rows); ++r) {
       const Centimetres* in = along.data() + static_cast<std::size_t>(r) * length;
-      for (std::size_t c = 0; c < length; ++c) out[c] = least(out[c], in[c]);
+      for (std::size_t c = 0; c < length; ++c) out[c] = std::min(out[c], in[c]);
     }
   }
   return result;
