@@ -74,8 +74,8 @@ Consensus::Say Consensus::say(const FrameViews& frame, const View& view) {
 }
 
 bool Consensus::goes(std::size_t here, const View& view) const {
-  const std::size_t first = here - std::min(here, kAround);
-  const std::size_t last = std::min(here + kAround, frames_.size() - 1);
+  const std::size_t first = here - std::min(here, kFramesAround);
+  const std::size_t last = std::min(here + kFramesAround, frames_.size() - 1);
   int moving = 0;
   for (std::size_t k = first; k <= last; ++k) {
     const std::vector<std::uint32_t>& tracks = frames_[k].moving;
@@ -106,7 +106,7 @@ void Consensus::apply(KeyFrame& frame) {
     instance.dynamic = true;
     instance.reason = Reason::kConsensus;
   }
-  if (here >= kAround) frames_.pop_front();
+  if (here >= kFramesAround) frames_.pop_front();
 }
 
 }  // namespace segdf

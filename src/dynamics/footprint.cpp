@@ -68,4 +68,21 @@ bool Footprint::contains(const Eigen::Vector2f& place, float margin) const {
   return inside;
 }
 
+bool Volume::contains(const Eigen::Vector3f& place, float margin) const {
+  return place.z() >= bottom - margin && place.z() <= top + margin &&
+         footprint.contains(place.head<2>(), margin);
+}
+
+Volume transformed(const Volume& volume, const Eigen::Isometry3f& to_T_from) {
+  std::vector<Eigen::Vector2f> corners;
+  Eigen::AlignedBox1f floor;
+  for (const Eigen::Vector2f& corner : volume.footprint.corners()) {
+    const Eigen::Vector3f low = to_T_from * Eigen::Vector3f(corner.x(), corner.y(), volume.bottom);
+    corners.emplace_back(low.head<2>());
+    floor.extend(low.tail<1>());
+  }
+  const float height = volume.top - volume.bottom;
+  return {Footprint(std::move(corners)), floor.min().x(), floor.max().x() + height};
+}
+
 }  // namespace segdf

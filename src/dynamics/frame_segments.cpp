@@ -49,6 +49,17 @@ std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame,
   return places;
 }
 
+std::vector<Volume> dynamicVolumes(const KeyFrame& frame) {
+  std::vector<Volume> volumes;
+  for (std::size_t s = 0; s < frame.instances.size(); ++s) {
+    const Segment& segment = frame.seg.segments[s];
+    if (!frame.instances[s].dynamic || segment.points.empty()) continue;
+    volumes.push_back({Footprint(seenFromAbove(frame, segment.points)), segment.bounds.min().z(),
+                       segment.bounds.max().z()});
+  }
+  return volumes;
+}
+
 void uniteSegments(KeyFrame& frame,
                    const std::vector<std::uint32_t>& groups,
                    std::size_t count,

@@ -20,6 +20,7 @@ namespace {
 constexpr std::uint8_t kFreeRatio = 2;
 constexpr float kNear = 2.0F;      // metres: about half a car, seen from one end
 constexpr float kBeside = 1.0F;    // metres
+constexpr float kSwept = 0.5F;     // metres, around where it moved
 constexpr double kEnclosed = 0.5;  // share of an instance inside of another
 constexpr std::size_t kMinUpper = 3;
 
@@ -42,39 +43,21 @@ std::vector<Eigen::Vector2f> upperPoints(const KeyFrame& frame,
   return upper.size() >= kMinUpper ? upper : seenFromAbove(frame, segment.points);
 }
 
-/// The places of a frame's dynamic instances.
-class MovedPlaces {
- public:
-  explicit MovedPlaces(const KeyFrame& frame) {
-    for (std::size_t s = 0; s < frame.instances.size(); ++s) {
-      const Segment& segment = frame.seg.segments[s];
-      if (!frame.instances[s].dynamic || segment.points.empty()) continue;
-      footprints_.emplace_back(seenFromAbove(frame, segment.points));
-      bounds_.push_back(segment.bounds);
-    }
-  }
+bool isInOneOf(const std::vector<Volume>& volumes, const Eigen::Vector3f& place, float margin) {
+  return std::any_of(volumes.begin(), volumes.end(),
+                     [&](const Volume& volume) { return volume.contains(place, margin); });
+}
 
-  /// True in the footprint of an instance and up to the margin around it, metres, also over and
-  /// under it.
-  bool contain(const Eigen::Vector3f& place, float margin) const {
-    for (std::size_t k = 0; k < bounds_.size(); ++k) {
-      if (bounds_[k].exteriorDistance(place) > margin) continue;
-      if (footprints_[k].contains(place.head<2>(), margin)) return true;
-    }
-    return false;
-  }
-  /// True when they, with the margin, contain most of a segment.
-  bool enclose(const KeyFrame& frame, const Segment& segment, float margin) const {
-    const auto inside = std::count_if(
-        segment.points.begin(), segment.points.end(),
-        [&](std::uint32_t i) { return contain(frame.scan.points[i].position(), margin); });
-    return static_cast<double>(inside) >= kEnclosed * static_cast<double>(segment.points.size());
-  }
-
- private:
-  std::vector<Footprint> footprints_;
-  std::vector<Eigen::AlignedBox3f> bounds_;
-};
+/// True when volumes, with the margin, contain most of a segment.
+bool enclose(const std::vector<Volume>& volumes,
+             const KeyFrame& frame,
+             const Segment& segment,
+             float margin) {
+  const auto inside = std::count_if(
+      segment.points.begin(), segment.points.end(),
+      [&](std::uint32_t i) { return isInOneOf(volumes, frame.scan.points[i].position(), margin); });
+  return static_cast<double>(inside) >= kEnclosed * static_cast<double>(segment.points.size());
+}
 
 /// True for what nothing proves to stand: the votes left it static, but few found it again.
 bool isUnproven(const Instance& instance, const DynamicConfig& config) {
@@ -124,23 +107,26 @@ class Standing {
 class LooseRule {
  public:
   LooseRule(const KeyFrame& frame, const DynamicConfig& config)
-      : frame_(frame), config_(config), moved_(frame) {}
+      : frame_(frame), config_(config), moving_(dynamicVolumes(frame)) {}
 
   bool takes(std::uint32_t i, const PlaceEvidence& e) const {
     const Eigen::Vector3f place = frame_.scan.points[i].position();
     const auto height = static_cast<double>(frame_.seg.height[i]);
     const bool doubtful = e.free >= e.hit;
-    if (doubtful && height >= config_.foot_bottom && moved_.contain(place, kBeside)) return true;
+    if (doubtful && height >= config_.foot_bottom &&
+        (isInOneOf(moving_, place, kBeside) || isInOneOf(frame_.swept, place, kSwept))) {
+      return true;
+    }
     // Kerbs are looked at so flatly that a small tilt of the pose makes them seem passed through.
     if (e.free == 0 || height < config_.foot_height) return false;
     const bool enough = e.free >= config_.loose_votes && e.free >= kFreeRatio * e.hit;
-    return enough || (doubtful && moved_.contain(place, kNear));
+    return enough || (doubtful && isInOneOf(moving_, place, kNear));
   }
 
  private:
   const KeyFrame& frame_;
   const DynamicConfig& config_;
-  MovedPlaces moved_;
+  std::vector<Volume> moving_;
 };
 
 void releaseGround(KeyFrame& frame, Segment& segment, const Standing& standing) {
@@ -170,11 +156,11 @@ std::vector<std::uint8_t> groundAndLoosePoints(const KeyFrame& frame) {
 }  // namespace
 
 void removeEnclosed(KeyFrame& frame, const DynamicConfig& config) {
-  const MovedPlaces moved(frame);
+  const std::vector<Volume> moving = dynamicVolumes(frame);
   const auto margin = static_cast<float>(config.foot_margin);
   for (std::size_t s = 0; s < frame.instances.size(); ++s) {
     Instance& instance = frame.instances[s];
-    if (!isUnproven(instance, config) || !moved.enclose(frame, frame.seg.segments[s], margin))
+    if (!isUnproven(instance, config) || !enclose(moving, frame, frame.seg.segments[s], margin))
       continue;
     instance.dynamic = true;
     instance.reason = Reason::kEnclosed;

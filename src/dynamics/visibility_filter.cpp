@@ -13,6 +13,7 @@
 #include "segdf/dynamics/pose_refinement.hpp"
 #include "segdf/dynamics/reattachment.hpp"
 #include "segdf/dynamics/split_keep.hpp"
+#include "segdf/dynamics/swept_volumes.hpp"
 #include "segdf/dynamics/verdict.hpp"
 
 namespace segdf {
@@ -37,7 +38,7 @@ VisibilityFilter::VisibilityFilter(const Config& config, IdSource& ids, int thre
       threads_(threads) {}
 
 bool VisibilityFilter::isSettled(const Window& window) const {
-  return window.size() > Consensus::kAround && window[Consensus::kAround]->judged;
+  return window.size() > kFramesAround && window[kFramesAround]->judged;
 }
 
 void VisibilityFilter::observe(const Window& all) {
@@ -63,7 +64,10 @@ void VisibilityFilter::observe(const Window& all) {
   passOnIds({window.begin(), window.end() - 1}, newest, overlaps, config_.df, ids_);
   noteDepartures(window, pairs);
   if (remembers()) places_.look(newest);
-  for (; isOutOfReach(window, config_.df); window.erase(window.begin())) judge(window, 0);
+  for (; isOutOfReach(window, config_.df); window.erase(window.begin())) {
+    judge(window, 0);
+    exchangeSweptVolumes(all, all.size() - window.size());
+  }
 }
 
 std::vector<ComparedPair> VisibilityFilter::compare(const Window& window) {
@@ -102,7 +106,10 @@ void VisibilityFilter::decide(const Window& window, std::size_t count) {
   const bool are_last = count == window.size();
   if (are_last) {
     const Window last = open(window);
-    for (std::size_t i = 0; i < last.size(); ++i) judge(last, i);
+    for (std::size_t i = 0; i < last.size(); ++i) {
+      judge(last, i);
+      exchangeSweptVolumes(window, window.size() - last.size() + i);
+    }
   }
   for (std::size_t i = 0; i < count; ++i) finish(*window[i]);
   if (are_last) consensus_ = Consensus();

@@ -75,9 +75,9 @@ class ConsensusTest : public ::testing::Test {
   /// The same when each leaves as soon as it can.
   bool goesAmidTheDrive(std::size_t index) {
     Consensus consensus;
-    for (std::size_t k = 0; k <= index + Consensus::kAround; ++k) {
+    for (std::size_t k = 0; k <= index + kFramesAround; ++k) {
       consensus.note(*frames_[k]);
-      if (k >= Consensus::kAround) consensus.apply(*frames_[k - Consensus::kAround]);
+      if (k >= kFramesAround) consensus.apply(*frames_[k - kFramesAround]);
     }
     return frames_[index]->instances.back().dynamic;
   }

@@ -26,5 +26,29 @@ TEST(Footprint, PointsWithoutAnArea) {
   EXPECT_TRUE(same.contains({1.0F, 1.1F}, 0.2F));
 }
 
+TEST(Volume, ReachesFromItsBottomToItsTop) {
+  const Volume volume{Footprint({{0.0F, 0.0F}, {4.0F, 0.0F}, {4.0F, 2.0F}, {0.0F, 2.0F}}), 0.5F,
+                      1.5F};
+  EXPECT_TRUE(volume.contains({2.0F, 1.0F, 1.0F}, 0.0F));
+  EXPECT_TRUE(volume.contains({2.0F, 1.0F, 1.7F}, 0.3F));
+  EXPECT_FALSE(volume.contains({2.0F, 1.0F, 1.9F}, 0.3F));
+  EXPECT_FALSE(volume.contains({2.0F, 1.0F, 0.1F}, 0.3F));
+  EXPECT_TRUE(volume.contains({4.2F, 1.0F, 1.0F}, 0.3F));
+  EXPECT_FALSE(volume.contains({4.4F, 1.0F, 1.0F}, 0.3F));
+}
+
+TEST(Volume, IsTakenIntoAnotherFrame) {
+  const Volume volume{Footprint({{0.0F, 0.0F}, {4.0F, 0.0F}, {4.0F, 2.0F}, {0.0F, 2.0F}}), 0.5F,
+                      1.5F};
+  const Eigen::Isometry3f turned_left =
+      Eigen::Translation3f(10.0F, 0.0F, -1.0F) *
+      Eigen::AngleAxisf(0.5F * static_cast<float>(M_PI), Eigen::Vector3f::UnitZ());
+  const Volume there = transformed(volume, turned_left);
+  EXPECT_TRUE(there.contains({9.0F, 3.5F, 0.4F}, 0.0F));
+  EXPECT_FALSE(there.contains({9.0F, 3.5F, 0.6F}, 0.0F));
+  EXPECT_FALSE(there.contains({7.5F, 3.5F, 0.4F}, 0.0F));
+  EXPECT_FALSE(there.contains({9.0F, 4.5F, 0.4F}, 0.0F));
+}
+
 }  // namespace
 }  // namespace segdf

@@ -129,6 +129,18 @@ TEST_F(Reattachment, BesideItSoDoesWhatNobodyLookedAtAndWhatIsLow) {
   EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 4.8F, 0.05F}, 0, 0))) << "the road";
 }
 
+TEST_F(Reattachment, WhereSomethingMovedAMomentAgoNothingStands) {
+  const std::uint32_t inside = addLoose({20.5F, 3.4F, 1.0F}, 0, 0);
+  EXPECT_FALSE(isTakenLoose(inside)) << "nobody looked";
+  frame_.swept.push_back({Footprint({{20.0F, 3.0F}, {24.0F, 3.0F}, {20.0F, 4.0F}}), 0.4F, 1.5F});
+  EXPECT_TRUE(isTakenLoose(inside));
+  EXPECT_TRUE(isTakenLoose(addLoose({19.6F, 3.4F, 1.0F}, 2, 2))) << "0.4 m beside";
+  EXPECT_FALSE(isTakenLoose(addLoose({20.5F, 3.4F, 1.0F}, 0, 1))) << "found again";
+  EXPECT_FALSE(isTakenLoose(addLoose({20.5F, 3.4F, 0.05F}, 0, 0))) << "the road";
+  EXPECT_FALSE(isTakenLoose(addLoose({19.4F, 3.4F, 1.0F}, 0, 0))) << "0.6 m beside";
+  EXPECT_FALSE(isTakenLoose(addLoose({20.5F, 3.4F, 2.1F}, 0, 0))) << "0.6 m above";
+}
+
 TEST_F(Reattachment, FarFromWhatMovedAPointNeedsMore) {
   EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 6.5F, 1.0F}, 1, 0)));
   EXPECT_FALSE(isTakenLoose(addLoose({10.0F, 3.5F, 4.0F}, 1, 0))) << "above it";

@@ -108,7 +108,7 @@ TEST(Pipeline, WhatTheTakerThrowsComesOutOfFlush) {
 }
 
 TEST(Pipeline, TheDelayIsNoLongerThanTheWindowAndTheConsensus) {
-  constexpr std::size_t kDelay = 3 + Consensus::kAround;
+  constexpr std::size_t kDelay = 3 + kFramesAround;
   const std::vector<Scan> drive = makeDrive(kDelay + 3);
   Config config;
   config.df.window = 3;

@@ -19,9 +19,6 @@ namespace segdf {
 /// too. The reverse is not done: it brings nothing.
 class Consensus {
  public:
-  /// Key frames, before and after, that are asked.
-  static constexpr std::size_t kAround = 5;
-
   /// Notes the verdicts on a key frame. @pre frames come in the order of time
   void note(const KeyFrame& frame);
 
@@ -29,7 +26,7 @@ class Consensus {
   /// have its track there: six at least, one after it among them. A part that was found to stand is
   /// looked for as its instance, with all parts. A frame in which something else stands there says
   /// that it stands. Forgets what no later frame asks for.
-  /// @pre this frame and, but at the end, kAround after it have been noted
+  /// @pre this frame and, but at the end, kFramesAround after it have been noted
   void apply(KeyFrame& frame);
 
  private:

@@ -8,6 +8,7 @@
 
 #include "segdf/core/frame_result.hpp"
 #include "segdf/core/scan.hpp"
+#include "segdf/dynamics/footprint.hpp"
 #include "segdf/segmentation/segmenter.hpp"
 
 namespace segdf {
@@ -37,10 +38,15 @@ struct KeyFrame {
   bool judged = false;              ///< no further evidence will come
   /// Points of no instance that moved: ground points of moving objects, small clusters. Ascending.
   std::vector<std::uint32_t> removed;
+  std::vector<Volume> moving;  ///< what its dynamic instances took up when it was judged
+  std::vector<Volume> swept;   ///< those of the judged frames around, in this one's sensor frame
   std::shared_ptr<FrameEvidence> evidence;  ///< the filter's own; empty in literal mode
   double pose_misfit = 0.0;                 ///< metres, see FrameResult
   StageTimes times;
 };
+
+/// A frame that has been judged waits for so many further ones, which say what is there, too.
+constexpr std::size_t kFramesAround = 5;
 
 /// The key frames of the sliding window, oldest first. Never empty when handed to the filter.
 using Window = std::vector<KeyFrame*>;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "segdf/core/config.hpp"
+#include "segdf/dynamics/footprint.hpp"
 #include "segdf/dynamics/frame.hpp"
 
 namespace segdf {
@@ -22,6 +23,9 @@ Eigen::Vector3d centerOf(const KeyFrame& frame, std::size_t segment);
 /// Places of points seen from above, sensor frame, metres.
 std::vector<Eigen::Vector2f> seenFromAbove(const KeyFrame& frame,
                                            const std::vector<std::uint32_t>& points);
+
+/// What the dynamic instances of a frame take up, sensor frame.
+std::vector<Volume> dynamicVolumes(const KeyFrame& frame);
 
 /// Unites segments: `groups[s]` is the group of segment s. The groups are numbered 0..count-1 in
 /// the order of their first member; `frame.instances` must still be without ids. Members' points,
