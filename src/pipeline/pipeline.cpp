@@ -40,7 +40,8 @@ class Pipeline::Impl {
         grid_(config.cvi, config.input.min_range),
         gate_(config.input),
         jump_detector_(config.input.max_jump),
-        filter_(makeDynamicFilter(config_, ids_, std::max(1, threads / 2))) {}
+        filter_threads_(std::max(1, threads / 2)),
+        filter_(makeDynamicFilter(config_, ids_, filter_threads_)) {}
 
   std::vector<FrameResult> process(Scan scan) {
     std::vector<FrameResult> results;
@@ -108,20 +109,20 @@ class Pipeline::Impl {
     return entry;
   }
 
-  /// Seg(P_k): segments, describes and classifies a scan. Touches no other frame.
+  /// Seg(P_k): segments a scan. Touches no other frame.
   std::unique_ptr<KeyFrame> segmented(Scan scan, std::size_t index) const {
     auto frame = std::make_unique<KeyFrame>();
     frame->index = index;
     frame->scan = std::move(scan);
     frame->seg = segmentScan(frame->scan, config_, segmentation_threads_, frame->times);
-    const StageTimer timer(frame->times.classification);
-    describeAndClassify(*frame, config_.classes, segmentation_threads_);
     return frame;
   }
 
-  /// Lets the filter compare the newest key frame. @return the frames that leave the window
+  /// Classifies the newest key frame and lets the filter compare it: the shorter part of the work
+  /// on a scan, beside the segmentation of the next. @return the frames that leave the window
   std::vector<FrameResult> filterNewest() {
     if (entries_.back().key) {
+      classify(*entries_.back().key);
       const Window window = keyFrames();
       const StageTimer timer(window.back()->times.dynamics);
       measureMisfit(window);
@@ -129,6 +130,11 @@ class Pipeline::Impl {
       forgetDetails(window);
     }
     return releaseSettled();
+  }
+
+  void classify(KeyFrame& frame) const {
+    const StageTimer timer(frame.times.classification);
+    describeAndClassify(frame, config_.classes, filter_threads_);
   }
 
   /// Surfaces are asked for of the newest frame only, voxels of the two before it, too.
@@ -178,12 +184,13 @@ class Pipeline::Impl {
   }
 
   Config config_;
-  int segmentation_threads_;  ///< the filter has the others
-  std::launch when_;          ///< the filter works
+  int segmentation_threads_;
+  std::launch when_;  ///< the filter works
   CurvedGrid grid_;
   ScanGate gate_;
   JumpDetector jump_detector_;
   IdSource ids_;
+  int filter_threads_;  ///< beside them
   std::unique_ptr<DynamicFilter> filter_;
   std::deque<Entry> entries_;
   std::size_t next_index_ = 0;
