@@ -80,15 +80,36 @@ std::uint32_t levelOf(const MapPoint& point) {
   return static_cast<std::uint32_t>(std::clamp(level, 0.0, kHighestLevel));
 }
 
-Colour shaded(std::uint32_t cell) {
-  const std::uint32_t kind = cell >> kKindShift;
-  const std::uint32_t shade = cell & kShadeMask;
+// The palette: of each kind so many shades, then the trajectory and white.
+constexpr unsigned kShadeStep = 3;  // bits
+constexpr std::size_t kShades = (kShadeMask + 1) >> kShadeStep;
+constexpr auto kTrajectoryEntry = static_cast<std::uint8_t>(kColours.size() * kShades);
+constexpr std::uint8_t kWhiteEntry = kTrajectoryEntry + 1;
+
+Colour shaded(std::size_t kind, std::size_t shade) {
   Colour colour = kColours[kind];
   if (kind == kNothing || kind == kRemoved) return colour;
   for (std::uint8_t& channel : colour) {
     channel = static_cast<std::uint8_t>(channel * (64 + shade * 3 / 4) / 255);
   }
   return colour;
+}
+
+std::vector<Colour> palette() {
+  std::vector<Colour> colours;
+  for (std::size_t kind = 0; kind < kColours.size(); ++kind) {
+    for (std::size_t k = 0; k < kShades; ++k) {
+      colours.push_back(shaded(kind, (2 * k + 1) << (kShadeStep - 1)));  // the middle of its shades
+    }
+  }
+  colours.push_back(kTrajectory);
+  colours.push_back(kWhite);
+  return colours;
+}
+
+std::uint8_t entryOf(std::uint32_t cell) {
+  return static_cast<std::uint8_t>((cell >> kKindShift) * kShades +
+                                   ((cell & kShadeMask) >> kShadeStep));
 }
 
 Eigen::AlignedBox2d areaAround(const std::vector<Eigen::Vector2d>& trajectory) {
@@ -98,10 +119,6 @@ Eigen::AlignedBox2d areaAround(const std::vector<Eigen::Vector2d>& trajectory) {
   area.extend(Eigen::Vector2d(area.min().array() - kMargin));
   area.extend(Eigen::Vector2d(area.max().array() + kMargin));
   return area;
-}
-
-void paint(std::vector<std::uint8_t>& rgb, std::size_t pixel, const Colour& colour) {
-  std::copy(colour.begin(), colour.end(), rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
 }
 
 }  // namespace
@@ -143,7 +160,7 @@ void TopDownImage::drawWaiting() {
   waiting_count_ = 0;
 }
 
-void TopDownImage::drawTrajectory(std::vector<std::uint8_t>& rgb) const {
+void TopDownImage::drawTrajectory(std::vector<std::uint8_t>& pixels) const {
   for (std::size_t k = 1; k < trajectory_.size(); ++k) {
     const Eigen::Vector2d way = trajectory_[k] - trajectory_[k - 1];
     const auto steps = static_cast<std::size_t>(way.norm() / metres_per_pixel_) + 1;
@@ -151,31 +168,29 @@ void TopDownImage::drawTrajectory(std::vector<std::uint8_t>& rgb) const {
       const Eigen::Vector2d at =
           trajectory_[k - 1] + way * (static_cast<double>(s) / static_cast<double>(steps));
       const std::size_t pixel = pixelAt(at.x(), at.y());
-      if (pixel < cells_.size()) paint(rgb, pixel, kTrajectory);
+      if (pixel < cells_.size()) pixels[pixel] = kTrajectoryEntry;
     }
   }
 }
 
-void TopDownImage::drawScale(std::vector<std::uint8_t>& rgb) const {
+void TopDownImage::drawScale(std::vector<std::uint8_t>& pixels) const {
   const auto length = static_cast<std::size_t>(kScaleBar / metres_per_pixel_);
   const std::size_t margin = 4 * kBarThickness;
   if (width_ < length + margin || height_ < margin + kBarThickness) return;
   for (std::size_t row = height_ - margin; row < height_ - margin + kBarThickness; ++row) {
     for (std::size_t column = margin; column < margin + length; ++column) {
-      paint(rgb, row * width_ + column, kWhite);
+      pixels[row * width_ + column] = kWhiteEntry;
     }
   }
 }
 
 void TopDownImage::write(const std::filesystem::path& file) {
   drawWaiting();
-  std::vector<std::uint8_t> rgb(3 * cells_.size());
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    paint(rgb, k, shaded(cells_[k]));
-  }
-  drawTrajectory(rgb);
-  drawScale(rgb);
-  writePng(file, {width_, height_, std::move(rgb)});
+  std::vector<std::uint8_t> pixels(cells_.size());
+  std::transform(cells_.begin(), cells_.end(), pixels.begin(), entryOf);
+  drawTrajectory(pixels);
+  drawScale(pixels);
+  writePng(file, PaletteImage{width_, height_, palette(), std::move(pixels)});
 }
 
 }  // namespace segdf

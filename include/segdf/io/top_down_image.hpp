@@ -37,8 +37,8 @@ class TopDownImage {
   void drawWaiting();
   /// Index of the pixel at a place, cells_.size() outside the picture.
   std::size_t pixelAt(double x, double y) const;
-  void drawTrajectory(std::vector<std::uint8_t>& rgb) const;
-  void drawScale(std::vector<std::uint8_t>& rgb) const;
+  void drawTrajectory(std::vector<std::uint8_t>& pixels) const;
+  void drawScale(std::vector<std::uint8_t>& pixels) const;
 
   std::vector<Eigen::Vector2d> trajectory_;
   Eigen::AlignedBox2d area_;
