@@ -98,11 +98,7 @@ int run(const Options& options) {
   ClassCalibration calibration;
   Config config;
   for (const std::string& drive : options.drives) config = addDrive(drive, options, calibration);
-  if (!options.table.empty()) {
-    AtomicFile file(options.table);
-    file.write(calibration.quantiles());
-    file.commit();
-  }
+  if (!options.table.empty()) writeWhole(options.table, calibration.quantiles());
   const ClassConfig proposal = calibration.propose(config.classes);
   std::cout << "# " << calibration.size() << " segments\n";
   print("now", calibration.score(config.classes));

@@ -153,9 +153,8 @@ Scored score(const Options& options, std::size_t k) {
 }
 
 void writeJson(const Json& drives, const std::string& file) {
-  segdf::AtomicFile out(file);
-  out.write((drives.size() == 1 ? drives.front() : Json{{"drives", drives}}).dump(2) + "\n");
-  out.commit();
+  segdf::writeWhole(
+      file, (drives.size() == 1 ? drives.front() : Json{{"drives", drives}}).dump(2) + "\n");
 }
 
 int evaluate(Options& options) {

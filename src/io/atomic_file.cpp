@@ -54,4 +54,10 @@ void AtomicFile::commit() {
   committed_ = true;
 }
 
+void writeWhole(const std::filesystem::path& file, const std::string& bytes) {
+  AtomicFile out(file);
+  out.write(bytes);
+  out.commit();
+}
+
 }  // namespace segdf

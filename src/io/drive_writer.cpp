@@ -19,12 +19,6 @@ namespace {
 constexpr const char* kStaticMap = "static_map.pcd";
 constexpr const char* kDynamicPoints = "dynamic_points.pcd";
 
-void writeText(const std::filesystem::path& file, const std::string& text) {
-  AtomicFile out(file);
-  out.write(text);
-  out.commit();
-}
-
 std::vector<std::uint32_t> encodeAll(const std::vector<PointLabel>& labels) {
   std::vector<std::uint32_t> codes;
   codes.reserve(labels.size());
@@ -117,7 +111,7 @@ void DriveWriter::finish() {
   dynamic_points_.finish();
   writeInstances();
   evidence_.finish();
-  writeText(folder_.staging() / "config.yaml", toYaml(config_));
+  writeWhole(folder_.staging() / "config.yaml", toYaml(config_));
   drawMap();
   report_.write(folder_.staging() / "report.json");
   folder_.commit();

@@ -21,9 +21,7 @@ void writeInstanceCsv(const std::filesystem::path& file,
         << ',' << r.dynamic_votes << ',' << (r.fused ? 1 : 0) << ',' << toString(r.reason())
         << '\n';
   }
-  AtomicFile out(file);
-  out.write(csv.str());
-  out.commit();
+  writeWhole(file, csv.str());
 }
 
 }  // namespace segdf

@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void writeText(const fs::path& file, const std::string& text) {
-  AtomicFile out(file);
-  out.write(text);
-  out.commit();
-}
-
 void writePoints(const fs::path& file, const std::vector<Point>& points) {
   std::vector<std::array<float, 4>> raw;
   raw.reserve(points.size());
@@ -74,10 +68,10 @@ void KittiWriter::finish() {
   if (poses_.empty()) return;
   std::string times;
   for (double time : times_) times += formatNumber(time) + "\n";
-  writeText(folder_ / "times.txt", times);
-  writeText(folder_ / "calib.txt", "Tr: " + formatPose(defaultCalibration()) + "\n");
-  writeText(folder_ / "poses_gt.txt", cameraPoses(exact_poses_, exact_poses_.front()));
-  writeText(folder_ / "poses.txt", cameraPoses(poses_, poses_.front()));
+  writeWhole(folder_ / "times.txt", times);
+  writeWhole(folder_ / "calib.txt", "Tr: " + formatPose(defaultCalibration()) + "\n");
+  writeWhole(folder_ / "poses_gt.txt", cameraPoses(exact_poses_, exact_poses_.front()));
+  writeWhole(folder_ / "poses.txt", cameraPoses(poses_, poses_.front()));
 }
 
 }  // namespace segdf

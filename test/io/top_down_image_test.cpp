@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segdf/io/top_down_image.hpp"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <vector>

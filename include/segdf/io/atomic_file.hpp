@@ -38,4 +38,7 @@ class AtomicFile {
   bool committed_ = false;
 };
 
+/// A file that is in memory as a whole. @throws IoError
+void writeWhole(const std::filesystem::path& file, const std::string& bytes);
+
 }  // namespace segdf
